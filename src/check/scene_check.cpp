@@ -1,17 +1,15 @@
 #include "check/scene_check.h"
 
 #include "base/elementary.h"
-#include "base/memory.h"
 #include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/polygon.h"
 #include "scene/partitions.h"
+#include "scene/surface_edges.h"
 #include "scene/tessellation.h"
-#include "scene/vertex_weld.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -20,8 +18,7 @@
 namespace multipath {
 
 // Coincident faces are searched for at sample points of each surface: a point that lies on another surface, too, shows
-// an overlap. To find open edges, all directed edges, given by welded corners, are sorted, and the reverse of each edge
-// is searched for.
+// an overlap.
 
 namespace {
 
@@ -83,45 +80,17 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
     return result;
 }
 
-namespace {
-
-/// Corners in counter-clockwise order; the fourth corner of a triangle is the first again.
-std::array<Vec3, 4> corners(const Surface& s)
-{
-    const Vec3 third = s.shape == Shape::triangle ? s.at(0.0, 1.0) : s.at(1.0, 1.0);
-    return {s.origin, s.at(1.0, 0.0), third, s.shape == Shape::triangle ? s.origin : s.at(0.0, 1.0)};
-}
-
-} // namespace
-
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces)
 {
-    const Bounds bounds = bounds_of(surfaces);
-    LargeVector<Vec3> points;
-    for (const Surface& surface : surfaces)
-        for (const Vec3 corner : corners(surface))
-            points.push_back(snapped(corner, bounds));
-    const LargeVector<std::uint32_t> welded = weld(points);
-
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    const auto edge = [&](std::size_t surface, std::size_t i) {
-        return Edge{welded[4 * surface + i], welded[4 * surface + (i + 1) % 4]};
-    };
-    LargeVector<Edge> edges;
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (std::size_t i = 0; i < 4; ++i)
-            edges.push_back(edge(s, i));
-    std::sort(edges.begin(), edges.end());
-
+    std::vector<bool> is_open(surfaces.size());
+    for_each_edge(edges_of(surfaces, bounds_of(surfaces)), [&](auto begin, auto end) {
+        if (std::all_of(begin, end, [&](const FaceEdge& side) { return side.upward == begin->upward; }))
+            std::for_each(begin, end, [&](const FaceEdge& side) { is_open[side.face] = true; });
+    });
     std::vector<std::uint32_t> open;
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto [from, to] = edge(s, i);
-            if (from != to && !std::binary_search(edges.begin(), edges.end(), Edge{to, from})) {
-                open.push_back(static_cast<std::uint32_t>(s));
-                break;
-            }
-        }
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+        if (is_open[s])
+            open.push_back(s);
     return open;
 }
 

@@ -7,18 +7,15 @@
 
 #include "scene/facing.h"
 
-#include "base/disjoint_sets.h"
 #include "base/elementary.h"
 #include "geometry/intersector/hit_lists.h"
-#include "geometry/polygon.h"
 #include "scene/random_ray.h"
-#include "scene/vertex_weld.h"
+#include "scene/surface_edges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace multipath {
@@ -42,49 +39,6 @@ double solid_angle(const Surface& surface, Vec3 from)
         return solid_angle(a, b, d);
     const Vec3 c = b + surface.edge_v;
     return solid_angle(a, b, c) + solid_angle(a, c, d);
-}
-
-/// The connected parts of a scene: for each surface the index of the first surface of its part (union-find). Surfaces
-/// are connected if exactly two of them have an edge, in opposite directions. An object that touches a wall either
-/// shares no edge with it or is a third surface at an edge, so it is not connected to the wall.
-std::vector<std::uint32_t> connected_parts(const SurfaceList& surfaces, const Bounds& bounds)
-{
-    LargeVector<Vec3> corners;
-    std::vector<std::size_t> first_corner;
-    for (const Surface& surface : surfaces) {
-        first_corner.push_back(corners.size());
-        for (const Vec3 corner : corners_of(surface))
-            corners.push_back(snapped(corner, bounds));
-    }
-    first_corner.push_back(corners.size());
-    const LargeVector<std::uint32_t> welded = weld(corners);
-
-    struct Edge
-    {
-        std::uint32_t low, high; ///< corners
-        std::uint32_t surface;
-        bool upward;
-    };
-    std::vector<Edge> edges;
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-        for (std::size_t k = first_corner[s]; k < first_corner[s + 1]; ++k) {
-            const std::uint32_t from = welded[k];
-            const std::uint32_t to = welded[k + 1 < first_corner[s + 1] ? k + 1 : first_corner[s]];
-            edges.push_back({std::min(from, to), std::max(from, to), s, from < to});
-        }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return std::tie(a.low, a.high, a.surface) < std::tie(b.low, b.high, b.surface);
-    });
-
-    DisjointSets parts(surfaces.size());
-    for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
-        while (end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high)
-            ++end;
-        if (end - first != 2 || edges[first].upward == edges[first + 1].upward)
-            continue;
-        parts.unite(edges[first].surface, edges[first + 1].surface);
-    }
-    return parts.roots();
 }
 
 double small_distance(const Bounds& scene)

@@ -21,12 +21,13 @@ namespace {
 /// The limits that find_partition_lines() states [scene units].
 struct PartitionLimits
 {
-    explicit PartitionLimits(double diagonal)
+    PartitionLimits(double diagonal, bool two_sided)
         : touching(1e-4 * diagonal),
           rise(1e-3 * diagonal),
           contact(diagonal / 20.0),
           width(diagonal / 500.0),
-          surface(diagonal / 64.0)
+          surface(diagonal / 64.0),
+          both_sides(two_sided)
     {
     }
 
@@ -35,6 +36,7 @@ struct PartitionLimits
     double contact;
     double width;
     double surface;
+    bool both_sides; ///< what rises from the back counts, too
 };
 constexpr double slim_width = 0.25; ///< [1] largest width of a solid partition over its length
 constexpr double most_box_tests = 1u << 26;
@@ -104,13 +106,12 @@ struct Contact
 };
 
 /// The contact of the plane with another surface, if that rises from it.
-std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& other, const PartitionLimits& limits,
-                                    bool two_sided)
+std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& other, const PartitionLimits& limits)
 {
     const FlatPolygon polygon = polygon_of(other);
     const HeightRange range = heights(polygon, plane.origin, plane.normal);
     if (range.low > limits.touching || range.high < -limits.touching ||
-        !(range.high > limits.rise || (two_sided && range.low < -limits.rise)))
+        !(range.high > limits.rise || (limits.both_sides && range.low < -limits.rise)))
         return std::nullopt;
     const Vec3 direction = cross(plane.normal, other.normal());
     if (!(length(direction) > nearly_parallel))
@@ -325,7 +326,7 @@ class PartitionSearch
 {
 public:
     PartitionSearch(const SurfaceList& surfaces, bool two_sided)
-        : surfaces_(surfaces), two_sided_(two_sided), limits_(bounds_of(surfaces).diagonal())
+        : surfaces_(surfaces), limits_(bounds_of(surfaces).diagonal(), two_sided)
     {
         for (const Surface& surface : surfaces)
             boxes_.push_back(surface.bounds());
@@ -372,7 +373,7 @@ private:
         std::vector<Contact> contacts;
         for (std::uint32_t other = 0; other < surfaces_.size(); ++other)
             if (other != s && overlap(around, boxes_[other]))
-                if (const auto found = contact_with(plane, surfaces_[other], limits_, two_sided_))
+                if (const auto found = contact_with(plane, surfaces_[other], limits_))
                     contacts.push_back(*found);
         std::stable_sort(contacts.begin(), contacts.end(),
                          [](const Contact& a, const Contact& b) { return a.size() > b.size(); });
@@ -403,7 +404,6 @@ private:
     }
 
     const SurfaceList& surfaces_;
-    bool two_sided_;
     PartitionLimits limits_;
     LargeVector<Bounds> boxes_;
 };

@@ -269,13 +269,12 @@ void Scene::compute_textured_reflectances(int threads)
                 reflectance = material.reflectance;
                 continue;
             }
-            const CellCorners corners = tessellation.corners(cell);
-            std::array<std::array<double, 2>, 4> uv{};
-            for (std::size_t k = 0; k < corners.count; ++k)
-                uv[k] = {static_cast<double>(corners.points[k].i) / tessellation.grid_u(),
-                         static_cast<double>(corners.points[k].j) / tessellation.grid_v()};
-            reflectance = material.texture_scale *
-                          texture_mean(*file_->textures[material.texture], file_->texture_frames[s], corners.count, uv);
+            std::vector<std::array<double, 2>> uv;
+            for (const GridPoint corner : tessellation.corners(cell))
+                uv.push_back({static_cast<double>(corner.i) / tessellation.grid_u(),
+                              static_cast<double>(corner.j) / tessellation.grid_v()});
+            reflectance =
+                material.texture_scale * texture_mean(*file_->textures[material.texture], file_->texture_frames[s], uv);
         }
     });
 }

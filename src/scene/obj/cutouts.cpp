@@ -84,18 +84,6 @@ Mask coarser(const Mask& fine, unsigned level)
     return mask;
 }
 
-/// A convex polygon in the plane of a texture, in pixels.
-using TexturePolygon = std::vector<TexturePoint>;
-
-/// Positive if the corners run counter-clockwise.
-double area_of(const TexturePolygon& p)
-{
-    double twice = 0.0;
-    for (std::size_t i = 2; i < p.size(); ++i)
-        twice += (p[i - 1].s - p[0].s) * (p[i].t - p[0].t) - (p[i].s - p[0].s) * (p[i - 1].t - p[0].t);
-    return 0.5 * twice;
-}
-
 /// The part of the polygon where sign * coordinate <= sign * border.
 TexturePolygon clipped(const TexturePolygon& polygon, double TexturePoint::*coordinate, double border, double sign)
 {
@@ -180,13 +168,6 @@ public:
         std::vector<TexturePolygon> parts; ///< in pixels of the mask
     };
 
-    bool has_coordinates(const Piece& piece) const
-    {
-        const auto has_none = [](std::uint32_t point) { return point == ObjMesh::no_point; };
-        return !mesh_.corner_points.empty() &&
-               std::none_of(piece.points.begin(), piece.points.end() - (piece.is_triangle() ? 1 : 0), has_none);
-    }
-
     /// The replacements of these pieces; nothing if they would be too many.
     std::optional<std::vector<Replacement>> cut(const std::vector<std::uint32_t>& numbers, const Mask& mask) const
     {
@@ -262,7 +243,7 @@ private:
     TexturePolygon footprint(const Piece& piece, const Mask& mask) const
     {
         TexturePolygon polygon;
-        for (std::size_t k = 0; k < (piece.is_triangle() ? 3 : 4) && has_coordinates(piece); ++k) {
+        for (std::size_t k = 0; k < (piece.is_triangle() ? 3 : 4) && has_texture_points(piece, mesh_); ++k) {
             const TexturePoint p = map_.at(mesh_.texture_points[piece.points[k]]);
             polygon.push_back({p.s * static_cast<double>(mask.width), p.t * static_cast<double>(mask.height)});
         }
@@ -274,10 +255,7 @@ private:
         constexpr double no_area = 1e-9; // [pixels], as for the mean of a texture
         const bool is_point = std::abs(area_of(whole)) < no_area;
         if (is_point || mask.is_uniform) {
-            TexturePoint middle;
-            for (const TexturePoint p : whole)
-                middle = {middle.s + p.s / static_cast<double>(whole.size()),
-                          middle.t + p.t / static_cast<double>(whole.size())};
+            const TexturePoint middle = middle_of(whole);
             const bool opaque = mask.at(static_cast<std::int64_t>(std::floor(middle.s)),
                                         static_cast<std::int64_t>(std::floor(middle.t)));
             return opaque ? std::vector<TexturePolygon>{whole} : std::vector<TexturePolygon>{};
@@ -375,7 +353,7 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
             replaced.emplace_back(replacement.piece, std::move(added));
         }
         const auto whole = std::count_if(of_material[m].begin(), of_material[m].end(),
-                                         [&](std::uint32_t k) { return !cutter.has_coordinates(pieces[k]); });
+                                         [&](std::uint32_t k) { return !has_texture_points(pieces[k], mesh); });
         if (whole > 0)
             messages.push_back(mesh.path + ": `" + definitions[m].material.name + "` has transparent parts (" +
                                texture->name() + "), but for lack of texture coordinates these stay opaque: " +

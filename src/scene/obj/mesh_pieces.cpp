@@ -420,6 +420,12 @@ SceneScale scale_of(const ObjMesh& mesh)
     return {std::max({size.x, size.y, size.z})};
 }
 
+bool has_texture_points(const Piece& piece, const ObjMesh& mesh)
+{
+    const auto end = piece.points.begin() + (piece.is_triangle() ? 3 : 4);
+    return !mesh.corner_points.empty() && std::find(piece.points.begin(), end, ObjMesh::no_point) == end;
+}
+
 bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale)
 {
     const auto square = [](Vec3 a) { return dot(a, a); };

@@ -64,6 +64,9 @@ struct Piece
     bool is_triangle() const { return corners[3] == no_vertex; }
 };
 
+/// True if all corners of the piece have a texture point.
+bool has_texture_points(const Piece& piece, const ObjMesh& mesh);
+
 /// True if the parallelogram v0 + u (v1 - v0) + v (v3 - v0) may replace the quad v0, v1, v2, v3: the distance of its
 /// corner v1 + v3 - v0 from v2 is at most widest_crack() and at most 1/1000 of the shorter side at v0.
 bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale);

@@ -15,6 +15,7 @@
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/obj_textures.h"
 #include "scene/obj/parallelogram_merge.h"
+#include "scene/surface_edges.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 #include "scene/vertex_weld.h"
@@ -66,14 +67,6 @@ Libraries find_libraries(const ObjMesh& mesh)
         }
     }
     return result;
-}
-
-MaterialLibrary read_libraries(const std::vector<std::string>& files, EmissionFrom emission_from)
-{
-    MaterialLibrary library;
-    for (const std::string& file : files)
-        read_mtl(file, emission_from, library);
-    return library;
 }
 
 /// Gives the materials their names, without the comments after them. Of two materials of the mesh with one name the
@@ -302,21 +295,21 @@ std::string explain_darkness(const UsedMaterials& materials, const ObjMesh& mesh
 bool is_closed(const ObjMesh& mesh)
 {
     const LargeVector<std::uint32_t> welded = weld(mesh.vertices);
-    LargeVector<std::uint64_t> edges;
-    LargeVector<std::uint64_t> reversed_edges;
-    std::size_t first = 0;
-    for (const ObjFace& face : mesh.faces) {
-        for (std::size_t i = 0; i < face.corner_count; ++i) {
-            const std::uint64_t from = welded[mesh.corners[first + i]];
-            const std::uint64_t to = welded[mesh.corners[first + (i + 1) % face.corner_count]];
-            edges.push_back((from << 32) | to);
-            reversed_edges.push_back((to << 32) | from);
-        }
-        first += face.corner_count;
+    LargeVector<FaceEdge> edges;
+    auto first = mesh.corners.begin();
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+        std::vector<std::uint32_t> corners(first, first + mesh.faces[face].corner_count);
+        first += mesh.faces[face].corner_count;
+        for (std::uint32_t& corner : corners)
+            corner = welded[corner];
+        add_edges(face, corners, edges);
     }
-    std::sort(edges.begin(), edges.end());
-    std::sort(reversed_edges.begin(), reversed_edges.end());
-    return edges == reversed_edges;
+    bool closed = true;
+    for_each_edge(std::move(edges), [&](auto begin, auto end) {
+        const auto upward = std::count_if(begin, end, [](const FaceEdge& side) { return side.upward; });
+        closed = closed && 2 * upward == end - begin;
+    });
+    return closed;
 }
 
 /// True if light could be reflected forever: the surfaces are a closed room, and all reflect all light of one channel.
@@ -458,22 +451,16 @@ void take_colours(const SceneFile& scene, std::vector<MtlMaterial>& used)
             }
 }
 
-/// "1 face", "2 faces"
-struct DropCounts
-{
-    std::size_t merged_pairs = 0;
-    std::size_t zero_area_faces = 0;
-};
-
-std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMaterials& materials, DropCounts counts)
+std::string summary(const SceneFile& scene, const ObjMesh& mesh, const UsedMaterials& materials,
+                    std::size_t merged_pairs, std::size_t zero_area_faces)
 {
     const auto is_emitter = [](const Material& m) { return m.emittance != Rgb{}; };
     const auto emitter_count = std::count_if(scene.materials.begin(), scene.materials.end(), is_emitter);
     std::vector<std::string> notes;
-    if (counts.merged_pairs != 0)
-        notes.push_back(counted(counts.merged_pairs, "pair") + " of triangles joined");
-    if (counts.zero_area_faces != 0)
-        notes.push_back(counted(counts.zero_area_faces, "zero-area face") + " dropped");
+    if (merged_pairs != 0)
+        notes.push_back(counted(merged_pairs, "pair") + " of triangles joined");
+    if (zero_area_faces != 0)
+        notes.push_back(counted(zero_area_faces, "zero-area face") + " dropped");
     if (mesh.faces_without_corners != 0)
         notes.push_back(counted(mesh.faces_without_corners, "face") + " of fewer than three vertices dropped");
     if (!materials.unknown_names.empty())
@@ -496,7 +483,9 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     for (Vec3& vertex : mesh.vertices)
         vertex = changes.unit * vertex;
     Libraries libraries = find_libraries(mesh);
-    MaterialLibrary library = read_libraries(libraries.files, emission_from);
+    MaterialLibrary library;
+    for (const std::string& file : libraries.files)
+        read_mtl(file, emission_from, library);
     name_materials(library, mesh);
     const std::vector<LampMaterial> lamps = apply(changes, mesh);
     std::vector<std::string> texture_files = std::move(library.texture_files);
@@ -547,7 +536,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     for (const MtlMaterial& unused : list.by_origin.unused)
         scene.unused_materials.push_back(unused.material.source + ": " + unused.material.name);
     scene.dropped_faces = cut.zero_area_faces + mesh.faces_without_corners;
-    scene.counts = summary(scene, mesh, list.by_origin, {merged_pairs, cut.zero_area_faces});
+    scene.counts = summary(scene, mesh, list.by_origin, merged_pairs, cut.zero_area_faces);
     return scene;
 }
 

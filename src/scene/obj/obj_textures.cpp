@@ -5,11 +5,11 @@
 #include "scene/obj/obj_textures.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -27,14 +27,11 @@ std::string bytes_of_image(const std::string& path)
     std::error_code error;
     if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > most)
         throw ImageError(error ? "cannot be read" : "is larger than 256 MB");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file)
+    try {
+        return bytes_of_file(path);
+    } catch (const InputError&) {
         throw ImageError("cannot be read");
-    std::string bytes;
-    std::vector<char> part(std::size_t{1} << 16);
-    for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), file.get())) > 0;)
-        bytes.append(part.data(), count);
-    return bytes;
+    }
 }
 
 } // namespace
@@ -85,11 +82,7 @@ public:
             apply_colours(limit);
         if (!scene_.textures.empty())
             fill_frames();
-        report_failures();
-        std::vector<std::string> texts;
-        for (const auto& [material, text] : failures_)
-            texts.push_back(text);
-        return texts;
+        return report_failures();
     }
 
 private:
@@ -112,21 +105,19 @@ private:
     TextureFrame frame(std::size_t surface, const TextureMap& map) const
     {
         const Piece& piece = cut_.pieces[surface];
-        const std::size_t last = piece.is_triangle() ? 2 : 3;
-        for (std::size_t k = 0; k <= last; ++k)
-            if (mesh_.corner_points.empty() || piece.points[k] == ObjMesh::no_point)
-                return {};
+        if (!has_texture_points(piece, mesh_))
+            return {};
         const TexturePoint origin = map.at(mesh_.texture_points[piece.points[0]]);
         const TexturePoint u = map.at(mesh_.texture_points[piece.points[1]]);
-        const TexturePoint v = map.at(mesh_.texture_points[piece.points[last]]);
+        const TexturePoint v = map.at(mesh_.texture_points[piece.points[piece.is_triangle() ? 2 : 3]]);
         return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
     }
 
     Rgb texture_mean_of_surface(std::size_t s, const TextureMap& map, const Texture& texture) const
     {
         if (scene_.surfaces[s].shape == Shape::triangle)
-            return texture_mean(texture, frame(s, map), 3, {{{0, 0}, {1, 0}, {0, 1}, {0, 0}}});
-        return texture_mean(texture, frame(s, map), 4, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+            return texture_mean(texture, frame(s, map), {{0, 0}, {1, 0}, {0, 1}});
+        return texture_mean(texture, frame(s, map), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     }
 
     /// The area-weighted mean of a texture over all surfaces of a material.
@@ -204,7 +195,7 @@ private:
         for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
             const std::uint32_t m = scene_.material[s];
             const std::uint32_t colour = cut_.pieces[s].colour;
-            sums[m] += scene_.surfaces[s].area() * palette_->mean({{frame_of_colour(s).origin}, 1});
+            sums[m] += scene_.surfaces[s].area() * palette_->mean(TexturePolygon{frame_of_colour(s).origin});
             has_several[m] = has_several[m] || (number[m]++ > 0 && colour != first[m]);
             first[m] = colour;
             is_coloured[m] = is_coloured[m] || colour != Piece::no_colour;
@@ -246,14 +237,15 @@ private:
                                                : frame(s, definitions_[scene_.material[s]].reflectance_map);
     }
 
-    void report_failures()
+    /// Warns of what is wrong, and returns a text for each texture that was not read.
+    std::vector<std::string> report_failures()
     {
         if (!black_.empty())
             scene_.warnings.push_back(scene_.path + ": Kd = 0 beside a texture, which counts alone: " + join(black_));
         if (!dark_.empty())
             scene_.warnings.push_back(scene_.path + ": Ke = 0 beside a texture, which counts alone: " + join(dark_));
         if (failures_.empty())
-            return;
+            return {};
         double all = 0.0;
         for (const double area : areas_)
             all += area;
@@ -270,6 +262,7 @@ private:
                                   std::to_string(maps_) + " textures are not read, the colours of their materials (" +
                                   format("%.3g", 100.0 * part / all) +
                                   " % of the area) stand alone: " + first_of(texts, 5));
+        return texts;
     }
 
     const std::vector<MtlMaterial>& definitions_;

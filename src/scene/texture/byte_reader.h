@@ -45,10 +45,16 @@ public:
         return low | little_endian_16() << 16;
     }
 
+    std::uint32_t big_endian_16()
+    {
+        const std::uint8_t* const b = bytes(2);
+        return std::uint32_t{b[0]} << 8 | b[1];
+    }
+
     std::uint32_t big_endian_32()
     {
-        const std::uint8_t* const b = bytes(4);
-        return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3];
+        const std::uint32_t high = big_endian_16();
+        return high << 16 | big_endian_16();
     }
 
 private:

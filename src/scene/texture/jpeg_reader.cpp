@@ -64,12 +64,6 @@ std::optional<std::uint8_t> next_jpeg_marker(std::string_view bytes, std::size_t
     return std::nullopt;
 }
 
-std::uint32_t jpeg_word(ByteReader& segment)
-{
-    const std::uint32_t high = segment.byte();
-    return high << 8 | segment.byte();
-}
-
 /// Canonical Huffman code (annex C) of at most 16 bits, with a table of the codes of at most `short_bits`.
 struct JpegHuffman
 {
@@ -328,7 +322,7 @@ public:
             ByteReader length(bytes_.substr(position));
             if (length.left() < 2)
                 break;
-            const std::size_t size = jpeg_word(length);
+            const std::size_t size = length.big_endian_16();
             if (size < 2)
                 throw ImageError("a JPEG segment is damaged");
             if (size > bytes_.size() - position)
@@ -360,7 +354,7 @@ private:
         else if (marker >= 0xC0 && marker <= 0xCF && marker != 0xC8 && marker != 0xCC)
             read_frame(marker, segment);
         else if (marker == 0xDD)
-            restart_interval_ = jpeg_word(segment);
+            restart_interval_ = segment.big_endian_16();
         else if (marker == 0xE0 && contents.substr(0, 5) == std::string_view("JFIF\0", 5))
             is_jfif_ = true;
         else if (marker == 0xEE && contents.substr(0, 5) == "Adobe" && contents.size() >= 12)
@@ -385,7 +379,7 @@ private:
                 throw ImageError("a quantization table is damaged");
             std::array<std::uint16_t, 64> table = {};
             for (const std::uint8_t index : jpeg_zigzag)
-                table[index] = static_cast<std::uint16_t>(target < 0x10 ? segment.byte() : jpeg_word(segment));
+                table[index] = static_cast<std::uint16_t>(target < 0x10 ? segment.byte() : segment.big_endian_16());
             quantization_tables_[target & 3] = table;
         }
     }
@@ -404,8 +398,8 @@ private:
         progressive_ = mode == 2;
         if (const unsigned precision = segment.byte(); precision != 8)
             throw ImageError("JPEG of " + std::to_string(precision) + " bits per sample is not supported");
-        const std::uint32_t height = jpeg_word(segment);
-        const std::uint32_t width = jpeg_word(segment);
+        const std::uint32_t height = segment.big_endian_16();
+        const std::uint32_t width = segment.big_endian_16();
         if (height == 0)
             throw ImageError("JPEG whose height follows the first scan (DNL) is not supported");
         require_bitmap_size(width, height);

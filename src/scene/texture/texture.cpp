@@ -54,28 +54,24 @@ std::int64_t remainder(std::int64_t x, std::int64_t n)
     return r < 0 ? r + n : r;
 }
 
-/// The area of a polygon, positive if its corners run counter-clockwise.
-double area_of(const TextureFootprint& p)
+} // namespace
+
+double area_of(const TexturePolygon& p)
 {
     double twice = 0.0;
-    for (std::size_t k = 0; k < p.count; ++k) {
-        const TexturePoint a = p.corners[k];
-        const TexturePoint b = p.corners[(k + 1) % p.count];
-        twice += (a.s - p.corners[0].s) * (b.t - p.corners[0].t) - (b.s - p.corners[0].s) * (a.t - p.corners[0].t);
-    }
+    for (std::size_t k = 2; k < p.size(); ++k)
+        twice += (p[k - 1].s - p[0].s) * (p[k].t - p[0].t) - (p[k].s - p[0].s) * (p[k - 1].t - p[0].t);
     return 0.5 * twice;
 }
 
-TexturePoint middle_of(const TextureFootprint& p)
+TexturePoint middle_of(const TexturePolygon& polygon)
 {
     TexturePoint sum;
-    for (std::size_t k = 0; k < p.count; ++k)
-        sum = {sum.s + p.corners[k].s, sum.t + p.corners[k].t};
-    const auto n = static_cast<double>(p.count);
+    for (const TexturePoint corner : polygon)
+        sum = {sum.s + corner.s, sum.t + corner.t};
+    const auto n = static_cast<double>(polygon.size());
     return {sum.s / n, sum.t / n};
 }
-
-} // namespace
 
 Rgb linear_colour(const std::uint8_t* rgb)
 {
@@ -206,25 +202,26 @@ void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_c
     }
 }
 
-Rgb Texture::mean(const TextureFootprint& footprint) const
+Rgb Texture::mean(TexturePolygon p) const
 {
     const double width = bitmap_.width;
     const double height = bitmap_.height;
     // A repeating texture may be shifted by whole periods, towards the origin, where numbers are more precise.
-    const double shift_s = repeats_ ? std::floor(footprint.corners[0].s) : 0.0;
-    const double shift_t = repeats_ ? std::floor(footprint.corners[0].t) : 0.0;
-    TextureFootprint p = footprint;
-    double least = 0.0;
+    const double shift_s = repeats_ ? std::floor(p[0].s) : 0.0;
+    const double shift_t = repeats_ ? std::floor(p[0].t) : 0.0;
     double length = 0.0;
     double farthest = 0.0;
-    for (std::size_t k = 0; k < p.count; ++k) {
-        p.corners[k] = {width * (p.corners[k].s - shift_s), height * (p.corners[k].t - shift_t)};
-        least = k == 0 ? p.corners[k].s : std::min(least, p.corners[k].s);
-        farthest = std::max({farthest, std::abs(p.corners[k].s), std::abs(p.corners[k].t)});
+    for (TexturePoint& corner : p) {
+        corner = {width * (corner.s - shift_s), height * (corner.t - shift_t)};
+        farthest = std::max({farthest, std::abs(corner.s), std::abs(corner.t)});
     }
-    for (std::size_t k = 0; k < p.count; ++k)
-        length += std::abs(p.corners[k].s - p.corners[(k + 1) % p.count].s) +
-                  std::abs(p.corners[k].t - p.corners[(k + 1) % p.count].t);
+    double least = p[0].s;
+    TexturePoint before = p.back();
+    for (const TexturePoint corner : p) {
+        least = std::min(least, corner.s);
+        length += std::abs(before.s - corner.s) + std::abs(before.t - corner.t);
+        before = corner;
+    }
     constexpr double too_long = 1e6; // [pixels] along the border: the mean of so many is that of the texture
     constexpr double too_far = 1e13; // [pixels] from a texture that does not repeat: sums have 64 bits
     if (!(length < too_long && farthest < too_far))
@@ -237,22 +234,20 @@ Rgb Texture::mean(const TextureFootprint& footprint) const
             pixel(static_cast<std::int64_t>(std::floor(middle.s)), static_cast<std::int64_t>(std::floor(middle.t))));
     }
     std::array<double, 3> sums{};
-    for (std::size_t k = 0; k < p.count; ++k)
-        integrate(p.corners[k], p.corners[(k + 1) % p.count], static_cast<std::int64_t>(std::floor(least)), sums);
+    for (std::size_t k = 0; k < p.size(); ++k)
+        integrate(p[k], p[(k + 1) % p.size()], static_cast<std::int64_t>(std::floor(least)), sums);
     const auto channel = [&](std::size_t c) { return std::clamp(unit * sums[c] / area, 0.0, 1.0); };
     return {channel(0), channel(1), channel(2)};
 }
 
-Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t corners,
-                 const std::array<std::array<double, 2>, 4>& uv)
+Rgb texture_mean(const Texture& texture, const TextureFrame& frame, const std::vector<std::array<double, 2>>& uv)
 {
     if (!frame.known)
         return texture.mean();
-    TextureFootprint footprint;
-    footprint.count = corners;
-    for (std::size_t k = 0; k < corners; ++k)
-        footprint.corners[k] = frame.at(uv[k][0], uv[k][1]);
-    return texture.mean(footprint);
+    TexturePolygon polygon;
+    for (const auto [u, v] : uv)
+        polygon.push_back(frame.at(u, v));
+    return texture.mean(std::move(polygon));
 }
 
 Rgb Texture::at(TexturePoint point) const

@@ -41,12 +41,14 @@ struct TextureFrame
     }
 };
 
-/// A triangle or parallelogram in texture coordinates.
-struct TextureFootprint
-{
-    std::array<TexturePoint, 4> corners; ///< in order around the border, in either direction; a triangle has three
-    std::size_t count = 4;               ///< number of corners: 3 or 4
-};
+/// The corners of a convex polygon in the plane of a texture, in order around the border, in either direction.
+using TexturePolygon = std::vector<TexturePoint>;
+
+/// The area of a polygon, positive if its corners run counter-clockwise.
+double area_of(const TexturePolygon& polygon);
+
+/// The mean of the corners.
+TexturePoint middle_of(const TexturePolygon& polygon);
 
 /// A colour in linear light [1] that varies over a surface, given by an image. Outside the square between (0, 0) and
 /// (1, 1) the image repeats, or the pixels of its border continue. For mean() the colour is constant within each pixel;
@@ -68,7 +70,7 @@ public:
     /// [1] The mean over a polygon: exact, by Green's theorem, in time proportional to the number of pixels along its
     /// border. For a polygon without area it is the pixel at the middle of the corners. For a border of 10^6 pixels or
     /// more, or 10^13 pixels away from an image that does not repeat, it is the mean of the whole image.
-    Rgb mean(const TextureFootprint& footprint) const;
+    Rgb mean(TexturePolygon polygon) const;
     /// [1] The colour at a point, interpolated bilinearly between the centres of four pixels.
     Rgb at(TexturePoint point) const;
 
@@ -103,9 +105,8 @@ private:
 };
 
 /// [1] The mean of a texture over a polygon on a surface. `uv` holds the (u, v) coordinates of the corners in order
-/// around the polygon; `corners`, 3 or 4, is their number. With an unknown frame it is the mean of the whole image.
-Rgb texture_mean(const Texture& texture, const TextureFrame& frame, std::size_t corners,
-                 const std::array<std::array<double, 2>, 4>& uv);
+/// around the polygon. With an unknown frame it is the mean of the whole image.
+Rgb texture_mean(const Texture& texture, const TextureFrame& frame, const std::vector<std::array<double, 2>>& uv);
 
 /// [1] Linear light of an 8-bit sRGB colour (IEC 61966-2-1), rounded to multiples of 1/65535. `rgb` points to three
 /// bytes.

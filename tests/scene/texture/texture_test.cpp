@@ -41,28 +41,28 @@ Rgb pixel_at(const Texture& t, TexturePoint p)
     return linear_colour(t.bitmap().row(y) + 3 * x);
 }
 
-Rgb sampled_mean(const Texture& t, const TextureFootprint& f)
+Rgb sampled_mean(const Texture& t, const TexturePolygon& f)
 {
     Rgb sum;
     constexpr int samples = 40000;
     for (int k = 1; k <= samples; ++k) {
         double a = radical_inverse(2, static_cast<std::uint64_t>(k));
         double b = radical_inverse(3, static_cast<std::uint64_t>(k));
-        if (f.count == 3 && a + b > 1.0) {
+        if (f.size() == 3 && a + b > 1.0) {
             a = 1.0 - a;
             b = 1.0 - b;
         }
-        const TexturePoint o = f.corners[0];
-        const TexturePoint u = f.corners[1];
-        const TexturePoint v = f.corners[f.count - 1];
+        const TexturePoint o = f[0];
+        const TexturePoint u = f[1];
+        const TexturePoint v = f.back();
         sum += pixel_at(t, {o.s + a * (u.s - o.s) + b * (v.s - o.s), o.t + a * (u.t - o.t) + b * (v.t - o.t)});
     }
     return 1.0 / samples * sum;
 }
 
-TextureFootprint parallelogram(TexturePoint o, TexturePoint u, TexturePoint v)
+TexturePolygon parallelogram(TexturePoint o, TexturePoint u, TexturePoint v)
 {
-    return {{o, {o.s + u.s, o.t + u.t}, {o.s + u.s + v.s, o.t + u.t + v.t}, {o.s + v.s, o.t + v.t}}, 4};
+    return {o, {o.s + u.s, o.t + u.t}, {o.s + u.s + v.s, o.t + u.t + v.t}, {o.s + v.s, o.t + v.t}};
 }
 
 bool is_near(Rgb a, Rgb b, double tolerance)
@@ -77,14 +77,14 @@ TEST_CASE("the mean over a polygon is that of its points, wherever it lies on a 
     for (const bool repeats : {true, false})
         for (const auto& size : {std::pair{5, 3}, {17, 40}, {64, 1}, {1, 7}}) {
             const Texture t = texture(size.first, size.second, repeats);
-            for (const TextureFootprint& f :
+            for (const TexturePolygon& f :
                  {parallelogram({0.1, 0.2}, {0.7, 0.1}, {-0.2, 0.5}),
                   parallelogram({-3.3, 7.9}, {5.1, 0.4}, {0.3, -2.2}),
                   parallelogram({0.31, 0.77}, {0.001, 0.0}, {0.0, 0.002}), parallelogram({0, 0}, {0, 1}, {1, 0}),
-                  TextureFootprint{{{{0.9, 0.1}, {1.4, 0.3}, {0.2, 1.8}, {}}}, 3},
-                  TextureFootprint{{{{-0.5, -0.5}, {-0.7, -0.5}, {-0.5, -0.9}, {}}}, 3}}) {
+                  TexturePolygon{{0.9, 0.1}, {1.4, 0.3}, {0.2, 1.8}},
+                  TexturePolygon{{-0.5, -0.5}, {-0.7, -0.5}, {-0.5, -0.9}}}) {
                 CAPTURE(size.first);
-                CAPTURE(f.corners[0].s);
+                CAPTURE(f[0].s);
                 CHECK(is_near(t.mean(f), sampled_mean(t, f), 4e-3));
             }
         }
@@ -97,7 +97,7 @@ TEST_CASE("means of whole pixels and whole textures are exact")
     CHECK(is_near(t.mean(parallelogram({-7, 3}, {0, -4}, {5, 0})), t.mean(), 1e-15));
     CHECK(is_near(t.mean(parallelogram({1e5 + 0.125, 0.25}, {0.125, 0}, {0, 0.25})), pixel_at(t, {0.2, 0.3}), 1e-12));
     // The parts of a quadtree have the mean of the whole.
-    const TextureFootprint whole = parallelogram({0.3, 0.1}, {2.7, 0.4}, {0.1, 1.9});
+    const TexturePolygon whole = parallelogram({0.3, 0.1}, {2.7, 0.4}, {0.1, 1.9});
     Rgb sum;
     for (const double a : {0.0, 0.5})
         for (const double b : {0.0, 0.5})
