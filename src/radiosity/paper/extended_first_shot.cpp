@@ -10,7 +10,9 @@
 //    that is worth less than a ray gets one at random (plan_shots).
 // 4. The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
 //    global pass.
-// 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
+// 5. The power of a pass is taken from all its patches before the first ray, also from those that get no ray by
+//    rounding (spend); one factor for each colour makes up for the rounding (plan_shots).
+// 6. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
 
@@ -48,26 +50,26 @@ void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t fi
 {
     while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
         const double excess = power_above(scene, state, options.threshold);
-        const double power = excess > 0.0 ? power_of_ray(excess) : 0.0;
-        if (!(power > 0.0))
+        const double ray_power = excess > 0.0 ? power_of_ray(excess) : 0.0;
+        if (!(ray_power > 0.0))
             return;
-        const ShotRule rule{options.threshold, power, rounding_offset(options.seed, passes.size())};
+        const ShotRule rule{options.threshold, ray_power, rounding_offset(options.seed, passes.size())};
         const std::vector<Shot> shots = plan_shots(scene, state, rule);
         if (shots.empty())
             return;
         PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
         spend(scene, options.threshold, shots, next);
-        const std::uint64_t first_ray = first_item + lines_of(passes);
+        const std::uint64_t first_ray_item = first_item + lines_of(passes);
         if (observe)
-            observe(first_ray, shots, next);
-        shoot(scene, sequence, first_ray, shots, run, next); // (S1)
+            observe(first_ray_item, shots, next);
+        shoot(scene, sequence, first_ray_item, shots, run, next); // (S1)
         state = std::move(next);
         passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
     }
 }
 
-/// Passes with a sixteenth of the rays, at most 4096, to estimate how the power is distributed over the passes. Uses
-/// the same items as the passes that follow.
+/// Passes of which the first has a sixteenth of the rays, at most 4096, to estimate how the power is distributed over
+/// the passes; `state` is a copy. Uses the same items as the passes that follow, but only powers are taken from it.
 std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                 const ExtendedShotOptions& options, int threads, PowerState state)
 {
@@ -82,7 +84,7 @@ std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, st
 
 /// [1] Power that is still to be shot, in units of that of the next pass, number k, as the pilot found it; 1 from its
 /// last pass on.
-double passes_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
+double relative_power_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
 {
     double power = 0.0;
     for (std::size_t i = k; i < pilot.size(); ++i)
@@ -98,7 +100,7 @@ double power_of_next_ray(const ExtendedShotOptions& options, const std::vector<S
         return *options.power_by_line;
     const std::uint64_t used = std::min(options.lines, lines_of(done));
     const auto left = static_cast<double>(options.lines - used);
-    return left > 0.0 ? excess * passes_to_come(pilot, done.size()) / left : 0.0;
+    return left > 0.0 ? excess * relative_power_to_come(pilot, done.size()) / left : 0.0;
 }
 
 } // namespace

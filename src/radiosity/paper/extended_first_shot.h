@@ -37,9 +37,10 @@ using PassObserver =
     std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
 
 /// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
-/// threshold shoots the excess. Ends when no patch exceeds it, when the lines are used up, or after most_steps passes.
-/// The rays take the items of the sequence from first_item on. Returns the passes. The caller must save `state`, as it
-/// is between two passes, in the checkpoint; this function saves the rest.
+/// threshold shoots the excess. Ends when no patch exceeds it or none gets a ray by rounding, when the lines are used
+/// up (not with power_by_line), after most_steps passes, or when the run is stopped. The rays take the items of the
+/// sequence from first_item on. Returns the passes. The caller must save `state`, as it is between two passes, in the
+/// checkpoint; this function saves the rest.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe = {});

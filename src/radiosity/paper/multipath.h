@@ -22,7 +22,7 @@ namespace multipath {
 /// The global lines of a pass.
 struct GlobalPass
 {
-    std::uint64_t first_item = 0; ///< line k takes item (point) first_item + k of the sequence
+    std::uint64_t first_item = 0; ///< line k takes item (point) first_item + k of the sequence, which may be shuffled
     std::uint64_t lines_cast = 0; ///< number of lines to cast, including those that miss the scene (N1)
     bool bidirectional = true;    ///< power flows both ways (M2); if false, only in the direction of the line
 };

@@ -10,7 +10,8 @@ PowerWalk::PowerWalk(const Scene& scene, double crossings_per_area, bool bidirec
     patches_.reserve(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double crossings = crossings_per_area * scene.area(i);
-        const double departures = bidirectional_ ? crossings : 0.5 * crossings; // half of them leave through the front
+        // Both ways, every crossing sends; one way, only the half that leaves through the front.
+        const double departures = bidirectional_ ? crossings : 0.5 * crossings;
         patches_.push_back({scene.reflectance(i), (1.0 / departures) * state.unshot[i], {}, {}}); // (G3)
     }
 }

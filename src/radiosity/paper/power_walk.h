@@ -21,7 +21,7 @@ struct WalkingPower
     void receive(Rgb power)
     {
         incident += power;
-        held = reflectance * power;
+        held = reflectance * power; // it has just sent all that it held
     }
 };
 

@@ -20,7 +20,7 @@ struct Shot
 struct ShotRule
 {
     double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (threshold_radiosity)
-    double power_by_line = 0.0; ///< [W] power of one ray, mean of the channels: `PowerByLine` of the paper
+    double power_by_line = 0.0; ///< [W] wanted power of one ray, mean of the channels: `PowerByLine` of the paper
     /// Start of the SystematicRounding to whole rays, in [0, 1). A uniformly random offset favours no patch.
     double offset = 0.5;
 };
@@ -31,9 +31,8 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
 /// The shots of one pass, in the order of the patches: every patch with unshot radiosity above the threshold shoots the
 /// excess (S1) (S2). A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up so that the
 /// mean over all offsets is n. If n >= 1, these rays carry the excess of the patch. If n < 1, the patch gets a single
-/// ray with probability n, and this ray carries power_by_line. One factor per channel then corrects the error of the
-/// rounding, so that all rays together carry the whole excess. The factor is at most 2, so very few rays may carry
-/// less.
+/// ray for a fraction n of the offsets, and this ray carries power_by_line. One factor per channel then multiplies the
+/// power of all rays, so that together they carry the whole excess; it is at most 2, so very few rays may carry less.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
 
 /// The shots of one pass for a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the threshold.
