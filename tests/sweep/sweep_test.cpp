@@ -44,7 +44,7 @@ void judge_file(const std::string& path, bool two_sided)
     try {
         file = read_obj(path, EmissionFrom::ke, changes);
     } catch (const std::exception& error) {
-        MESSAGE("not judged: " << error.what());
+        MESSAGE("not judged: " << std::string(error.what()));
         return;
     }
     if (std::none_of(file.materials.begin(), file.materials.end(),
