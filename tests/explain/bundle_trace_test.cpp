@@ -46,6 +46,7 @@ TEST_CASE("the lines of a bundle are parallel, and cross surfaces in proportion 
     const StageTrace trace = trace_bundle(scene, options, {0, first.count});
     REQUIRE(trace.lines.size() == trace.count);
     const Bundle bundle(scene.bounds(), trace.lines.front().origin.numbers, *options.bundle);
+    CHECK(std::abs(length(bundle.direction()) - 1.0) < 1e-12);
     // [m^2] per line: the lines traced share the same rectangle, but are not quite as many
     const double section = bundle.section() * static_cast<double>(bundle.count()) / static_cast<double>(trace.count);
     double crossed = 0.0; // [m^2] as the lines tell

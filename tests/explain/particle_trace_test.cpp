@@ -1,7 +1,9 @@
 #include "explain/stage_trace.h"
 
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "explain/words.h"
+#include "radiosity/paper/local_monte_carlo.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
@@ -56,21 +58,26 @@ TEST_CASE("the scores told for all particles add up to the solver's radiosity, t
 TEST_CASE("a path goes from patch to patch as long as the number drawn is below the reflectance, and then ends")
 {
     const Scene scene = coloured_room();
-    for (const TracedLine& particle : tell_all(scene, short_run(Estimator::collision)).lines) {
+    const SolveOptions options = short_run(Estimator::collision);
+    const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
+    for (const TracedLine& particle : tell_all(scene, options).lines) {
+        ParticlePaths paths; // the solver's
+        particles.follow(particle.origin.number, {particle.origin.numbers}, paths);
+        REQUIRE(paths.steps.size() == particle.transfers.size());
         REQUIRE(particle.notes.size() == particle.transfers.size());
         REQUIRE(particle.crossings.size() == particle.transfers.size());
         for (std::size_t k = 0; k < particle.transfers.size(); ++k) {
             const Transfer& told = particle.transfers[k];
             const std::string& note = particle.notes[k].text;
-            const std::string number = "the number drawn, ";
-            const double drawn = std::stod(note.substr(note.find(number) + number.size()));
-            const bool goes_on = k + 1 < particle.transfers.size();
-            CHECK((note.find("it goes on") != std::string::npos) == goes_on);
-            const double reflectance = mean(scene.reflectance(told.to));
-            CHECK((goes_on ? drawn < reflectance + 6e-4 : drawn > reflectance - 6e-4)); // told with three digits
+            const ParticleStep& step = paths.steps[k];
+            const bool goes_on = step.drawn < mean(scene.reflectance(told.to));
+            CHECK(goes_on == (k + 1 < particle.transfers.size()));
+            CHECK(goes_on == (note.find("it goes on") != std::string::npos));
+            CHECK(note.find(format("the number drawn, %.3f,", step.drawn)) != std::string::npos);
             CHECK(particle.crossings[k].patches.arrives_at == told.to);
             if (goes_on) {
                 CHECK(particle.transfers[k + 1].from == told.to);
+                CHECK(particle.transfers[k + 1].sent() == step.goes_on);
                 CHECK(note.find("it goes on with " + watts(particle.transfers[k + 1].sent())) != std::string::npos);
             }
         }

@@ -197,8 +197,6 @@ private:
             double noise = of_few * std::hypot(found.standard_error, right.standard_error);
             if (by_particles)
                 noise = std::hypot(noise, noise_of_hits(way, g, right.mean, static_cast<double>(runs * lines_)));
-            if (way.method == Method::jacobi && !convex_)
-                noise = std::hypot(noise, noise_of_first_estimate(g) / std::sqrt(static_cast<double>(runs)));
             const double bias = 0.002 * right.mean + unseen +
                                 std::max(has_table ? guessed : 0.0, of_few_lines) * std::max(right.mean, mean_light);
             const double unsent = unsent_[g] / static_cast<double>(runs);
@@ -234,18 +232,6 @@ private:
         return reflected / std::sqrt(lines * hits);
     }
 
-    /// [W/m^2] What the iterations leave of the noise of the particles before them, which take a sixteenth of the
-    /// lines. Four or more iterations follow, each with as many lines as all before it, and what a group exchanges with
-    /// itself loses at most (1 - reflectance) / 2 of its error in each. In a white gap nothing is lost, and few
-    /// particles bring all light: those that bring most may be in none of the runs whose noise is measured.
-    double noise_of_first_estimate(std::size_t g) const
-    {
-        const Estimate one = estimate(truth_[g]);
-        const double of_one_run = one.standard_error * std::sqrt(static_cast<double>(truth_[g].size()));
-        const double left = std::pow(0.5 * (1.0 + groups_[g].reflectance), 4);
-        return left * of_one_run * std::sqrt(16.0 * static_cast<double>(truth_lines()) / static_cast<double>(lines_));
-    }
-
     /// [W/m^2] The backs of a closed body are dark.
     double closed_form(std::size_t g) const
     {
@@ -258,14 +244,11 @@ private:
         return group.emittance;
     }
 
-    /// Of one run of the particles to compare with.
-    std::uint64_t truth_lines() const { return std::max<std::uint64_t>(1u << 16, 2 * lines_); }
-
     void refine_truth(std::size_t runs)
     {
         truth_.resize(groups_.size());
         SolveOptions particles = options(ways().front());
-        particles.lines = truth_lines();
+        particles.lines = std::max<std::uint64_t>(1u << 16, 2 * lines_);
         std::swap(name_, truth_name_);
         const std::vector<double> unsent = unsent_;
         solve_until(truth_, runs, {}, particles, seed_ * 1000 + 500);

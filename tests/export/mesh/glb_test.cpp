@@ -164,6 +164,26 @@ TEST_CASE("texture coordinates of a GLB are those of the OBJ, however faces and 
     }
 }
 
+TEST_CASE("a GLB holds the images of the textures as they are, with their types and how they repeat")
+{
+    SceneFile file = scene_of(textured_faces()[0]);
+    const Texture& known = *file.textures[0];
+    file.textures.push_back(std::make_shared<const Texture>(known.name(), known.bytes(), !known.repeats()));
+    const Scene scene(file, 0.4);
+    const std::vector<ImageFile> images = {{"image/png", "first"}, {"image/jpeg", "the second"}};
+    const GlbFile glb(glb_bytes(patch_mesh(scene, flat_corners(some_values(scene)), {}), scene, 0.5, {}, {}, images));
+    REQUIRE(glb.json["images"].list.size() == 2);
+    REQUIRE(glb.json["textures"].list.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::string wrap = file.textures[k]->repeats() ? "10497" : "33071"; // REPEAT, CLAMP_TO_EDGE
+        CHECK(glb.view(glb.json["images"][k]["bufferView"].count()) == images[k].bytes);
+        CHECK(glb.json["images"][k]["mimeType"].text == images[k].type);
+        CHECK(glb.json["textures"][k]["source"].count() == k);
+        CHECK(glb.json["samplers"][glb.json["textures"][k]["sampler"].count()]["wrapS"].text == wrap);
+        CHECK(glb.json["samplers"][glb.json["textures"][k]["sampler"].count()]["wrapT"].text == wrap);
+    }
+}
+
 TEST_CASE("colours are linear and clipped, radiosity and error are as they are, and ranges are right")
 {
     SceneBuilder builder;
