@@ -99,7 +99,7 @@ TEST_CASE("in a closed scene of equal radiosity every patch receives that radios
         const Scene scene(motion.moved(builder.file()), 10.0 * motion.scale());
         PowerState state(scene);
         const auto sequence = make_sequence("random", key);
-        const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 200000);
+        const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 200000, 1);
         spend(scene, 0.0, shots, state);
         shoot(scene, *sequence, 0, shots, {2}, state);
         CHECK(state.escaped.g == 0.0);

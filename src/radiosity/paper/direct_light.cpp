@@ -233,7 +233,7 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, in
     const auto rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
     PowerState state(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays, 0);
     if (shots.empty()) // the sun shines on nothing
         return {};
     spend(scene, 0.0, shots, state);

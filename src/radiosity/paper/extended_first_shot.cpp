@@ -17,7 +17,6 @@
 #include "radiosity/paper/extended_first_shot.h"
 
 #include "radiosity/paper/first_shot.h"
-#include "sampling/random.h"
 
 #include <algorithm>
 #include <numeric>
@@ -25,15 +24,6 @@
 namespace multipath {
 
 namespace {
-
-/// Offset of the rounding to whole rays: 0.5 in the first pass, so that a plain first shot has exactly its number of
-/// rays; random in later passes, so that no patch is favoured.
-double rounding_offset(std::uint64_t seed, std::size_t pass)
-{
-    if (pass == 0)
-        return 0.5;
-    return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
-}
 
 std::uint64_t lines_of(const std::vector<ShotPass>& passes)
 {
@@ -53,7 +43,9 @@ void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t fi
         const double ray_power = excess > 0.0 ? power_of_ray(excess) : 0.0;
         if (!(ray_power > 0.0))
             return;
-        const ShotRule rule{options.threshold, ray_power, rounding_offset(options.seed, passes.size())};
+        const double offset = passes.empty() ? first_offset(scene, state, options.threshold, ray_power, options.seed)
+                                             : random_offset(options.seed, passes.size());
+        const ShotRule rule{options.threshold, ray_power, offset};
         const std::vector<Shot> shots = plan_shots(scene, state, rule);
         if (shots.empty())
             return;

@@ -150,7 +150,9 @@ Particles plan_particles(const Scene& scene, const std::function<std::vector<Sho
 Particles plan_particles(const Scene& scene, const PowerState& state, std::uint64_t lines, std::uint64_t seed,
                          int threads)
 {
-    const auto from_sources = [&](std::uint64_t particles) { return plan_first_shot(scene, state, 0.0, particles); };
+    const auto from_sources = [&](std::uint64_t particles) {
+        return plan_first_shot(scene, state, 0.0, particles, seed);
+    };
     return plan_particles(scene, from_sources, lines, seed, threads);
 }
 

@@ -1,6 +1,7 @@
 #include "radiosity/paper/shots.h"
 
 #include "sampling/allotment.h"
+#include "sampling/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,14 @@ namespace multipath {
 
 namespace {
 
-/// [1] Fraction of a patch's unshot power above the threshold, judged by the mean of the channels.
+/// [1] Fraction of a patch's unshot power above the threshold, judged by the mean of the channels. A patch that has
+/// spent its excess may differ from the threshold by a rounding error, which is not shot.
 double share_above(const Scene& scene, const PowerState& state, double threshold, std::uint32_t patch)
 {
+    constexpr double rounding = 1e-12;
     const double unshot_radiosity = mean(state.unshot[patch]) / scene.area(patch);
-    return unshot_radiosity > threshold && unshot_radiosity > 0.0 ? 1.0 - threshold / unshot_radiosity : 0.0;
+    const bool above = unshot_radiosity > (1.0 + rounding) * threshold && unshot_radiosity > 0.0;
+    return above ? 1.0 - threshold / unshot_radiosity : 0.0;
 }
 
 /// [W] Total power of all rays.
@@ -80,12 +84,31 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
     return shots;
 }
 
-std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays)
+double first_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
+                    std::uint64_t seed)
+{
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double excess = share_above(scene, state, threshold, i) * mean(state.unshot[i]);
+        if (excess > 0.0 && excess < power_by_line)
+            return random_offset(seed, 0);
+    }
+    return 0.5;
+}
+
+double random_offset(std::uint64_t seed, std::uint64_t pass)
+{
+    return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
+}
+
+std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays,
+                                  std::uint64_t seed)
 {
     const double excess = power_above(scene, state, threshold);
     if (rays == 0 || !(excess > 0.0))
         return {};
-    return plan_shots(scene, state, {threshold, excess / static_cast<double>(rays), 0.5});
+    const double power_by_line = excess / static_cast<double>(rays);
+    return plan_shots(scene, state,
+                      {threshold, power_by_line, first_offset(scene, state, threshold, power_by_line, seed)});
 }
 
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state)

@@ -21,7 +21,7 @@ struct ShotRule
 {
     double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (threshold_radiosity)
     double power_by_line = 0.0; ///< [W] wanted power of one ray, mean of the channels: `PowerByLine` of the paper
-    /// Start of the SystematicRounding to whole rays, in [0, 1). A uniformly random offset favours no patch.
+    /// Start of the SystematicRounding to whole rays, in [0, 1): first_offset() or random_offset().
     double offset = 0.5;
 };
 
@@ -35,8 +35,18 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
 /// power of all rays, so that together they carry the whole excess; it is at most 2, so very few rays may carry less.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
 
-/// The shots of one pass for a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the threshold.
-std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays);
+/// Offset of the first pass. 0.5 if the excess of every patch is worth a ray, so that the rays of a first shot are the
+/// same for every seed. Otherwise random_offset(seed, 0): with a fixed one, the same sources would never get a ray.
+double first_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
+                    std::uint64_t seed);
+
+/// Uniformly random offset in [0, 1) of pass number `pass`, which favours no patch.
+double random_offset(std::uint64_t seed, std::uint64_t pass);
+
+/// The shots of a first pass with a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the
+/// threshold.
+std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays,
+                                  std::uint64_t seed);
 
 /// Subtracts the power of the shots from the unshot power of the patches, in proportion to their excess. A patch that
 /// got no ray by rounding loses its part like the others: it has sent this part in expectation. In total no power is

@@ -5,6 +5,7 @@
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -30,7 +31,7 @@ TEST_CASE("every source shoots what exceeds the threshold, in rays of nearly equ
 {
     const Scene scene = two_lamps();
     const PowerState state(scene);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.4, 1000);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.4, 1000, 1);
     CHECK(shots.size() == 18);
     std::uint64_t rays = 0;
     for (const Shot& shot : shots) {
@@ -47,9 +48,58 @@ TEST_CASE("every source shoots what exceeds the threshold, in rays of nearly equ
 TEST_CASE("sources below the threshold keep their power")
 {
     const Scene scene = two_lamps();
-    CHECK(plan_first_shot(scene, PowerState(scene), 1.0, 100).size() == 9);
-    CHECK(plan_first_shot(scene, PowerState(scene), 4.0, 100).empty());
-    CHECK(plan_first_shot(scene, PowerState(scene), 0.0, 0).empty());
+    CHECK(plan_first_shot(scene, PowerState(scene), 1.0, 100, 1).size() == 9);
+    CHECK(plan_first_shot(scene, PowerState(scene), 4.0, 100, 1).empty());
+    CHECK(plan_first_shot(scene, PowerState(scene), 0.0, 0, 1).empty());
+}
+
+// With a fixed rounding, the same sources would get no ray whatever the seed.
+TEST_CASE("with fewer rays than sources every source shoots its power on the average over the seeds")
+{
+    const Scene scene = two_lamps();
+    const PowerState state(scene);
+    constexpr std::uint64_t seeds = 4000;
+    const auto mean_shot = [&](std::uint64_t rays, double threshold) {
+        std::vector<double> shot(scene.patch_count(), 0.0);
+        for (std::uint64_t seed = 0; seed < seeds; ++seed)
+            for (const Shot& s : plan_first_shot(scene, state, threshold, rays, seed))
+                shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / seeds;
+        return shot;
+    };
+    for (const std::uint64_t rays : {1, 3, 7, 12})
+        for (const double threshold : {0.0, 0.5}) {
+            CAPTURE(rays);
+            CAPTURE(threshold);
+            const std::vector<double> shot = mean_shot(rays, threshold);
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+                const double excess = std::max(0.0, scene.emittance(i).g - threshold);
+                const double power_by_line = power_above(scene, state, threshold) / static_cast<double>(rays);
+                CHECK(std::abs(shot[i] - excess) <= 4.0 * std::sqrt(excess * power_by_line / seeds)); // binomial
+            }
+        }
+}
+
+TEST_CASE("where every source is worth a ray, the shots are those of any seed")
+{
+    const Scene scene = two_lamps();
+    const PowerState state(scene);
+    const std::vector<Shot> one = plan_first_shot(scene, state, 0.0, 100, 1);
+    const std::vector<Shot> other = plan_first_shot(scene, state, 0.0, 100, 2);
+    REQUIRE(one.size() == other.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        CHECK(one[k].patch == other[k].patch);
+        CHECK(one[k].rays == other[k].rays);
+    }
+}
+
+TEST_CASE("what a patch keeps of its unshot power is the threshold, and no rounding error above it")
+{
+    const Scene scene = two_lamps();
+    for (const double threshold : {0.0, 0.1, 0.3, 0.7, 0.9, 1.3, 2.9}) {
+        PowerState state(scene);
+        spend(scene, threshold, plan_first_shot(scene, state, threshold, 1000, 1), state);
+        CHECK(power_above(scene, state, threshold) == 0.0);
+    }
 }
 
 TEST_CASE("shooting moves power and loses none")
@@ -57,7 +107,7 @@ TEST_CASE("shooting moves power and loses none")
     const Scene scene = two_lamps();
     PowerState state(scene);
     const auto sequence = make_sequence("random", 1);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 20000);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 20000, 1);
     spend(scene, 0.0, shots, state);
     shoot(scene, *sequence, 0, shots, {2}, state);
     double incident = 0.0;
@@ -82,7 +132,7 @@ TEST_CASE("the first shot lights the ceiling of a cube with F and its walls with
     for (const char* sequence : {"random", "sobol-owen", "halton"}) {
         CAPTURE(sequence);
         PowerState state(scene);
-        const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays);
+        const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays, 1);
         spend(scene, 0.0, shots, state);
         shoot(scene, *make_sequence(sequence, 1), 0, shots, {1}, state);
         CHECK(std::abs(state.incident[1].g - f) < 4.0 * std::sqrt(f * (1.0 - f) / rays));

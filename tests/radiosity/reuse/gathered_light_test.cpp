@@ -40,7 +40,7 @@ Gathered gathered(const Scene& scene, std::uint64_t rays, std::uint64_t seed = 1
 std::vector<Rgb> shot(const Scene& scene, std::uint64_t rays, std::uint64_t seed)
 {
     PowerState state(scene);
-    shoot(scene, *make_sequence("random", seed), 0, plan_first_shot(scene, state, 0.0, rays), {2}, state);
+    shoot(scene, *make_sequence("random", seed), 0, plan_first_shot(scene, state, 0.0, rays, 1), {2}, state);
     return state.incident;
 }
 
