@@ -1,7 +1,7 @@
-# Runs the commands of the documents as they are written: the `sh` blocks of docs/*.md, those of one document in order and in one
-# folder, which holds the program, the scenes and the tests and nothing else. What needs other machines or many minutes stands in
-# `console` blocks; a command in a block of no kind is a mistake. Pictures of the text that its commands make must come out as they
-# are, byte for byte but for the record of the command. Ends with "N passed, N failed".
+# Runs the commands of the documents as they are written: the `sh` blocks of docs/*.md and docs/builders/*.md, those of one
+# document in order and in one folder, which holds the program, the scenes and the tests and nothing else. What needs other
+# machines or many minutes stands in `console` blocks; a command in a block of no kind is a mistake. Pictures of the text that its
+# commands make must come out as they are, byte for byte but for the record of the command. Ends with "N passed, N failed".
 #
 # Numbers in the text are those that the commands print. Comments below a block, one for each, which readers do not see, say which:
 #     <!-- prints: says that # particles take <- ... # particles -->
@@ -24,7 +24,7 @@ absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 program=$(absolute "$1")
 shift
-[ $# -gt 0 ] || set -- "$root"/docs/*.md
+[ $# -gt 0 ] || set -- "$root"/docs/*.md "$root"/docs/builders/*.md
 scratch=$(absolute "${BUILD:-$root/build}")/documented-commands
 rm -rf "$scratch" && mkdir -p "$scratch" || exit 1
 passed=0 failed=0 here=$PWD

@@ -1,7 +1,7 @@
 // A state file consists of a header with the version of the format, arrays, an end mark and a checksum. An array is
 // stored as its scalar type and name length, its length, its name and its scalars in little-endian order. Everything is
-// padded to words of eight bytes (docs/state_format.md). After reading, all values are checked that the program relies
-// on, since a damaged or forged file may have a valid checksum.
+// padded to words of eight bytes (docs/builders/state_format.md). After reading, all values are checked that the
+// program relies on, since a damaged or forged file may have a valid checksum.
 
 #include "export/state_file.h"
 

@@ -15,8 +15,8 @@
 
 namespace multipath {
 
-/// Writes a state file: a checksummed container of named arrays (docs/state_format.md). The same content gives the same
-/// bytes on every machine. An archive that only writes: read(), holds() and length() throw ArchiveError.
+/// Writes a state file: a checksummed container of named arrays (docs/builders/state_format.md). The same content gives
+/// the same bytes on every machine. An archive that only writes: read(), holds() and length() throw ArchiveError.
 class StateWriter : public Archive
 {
 public:

@@ -108,8 +108,8 @@ PackedLight packed_light(const std::vector<Rgb>& values)
 
 // The sources of the page are an ordinary web page: page.html refers to its style sheet and its scripts, each on a line
 // of its own. Here the texts of these files replace the lines. The data of the room, a JSON document, replace a comment
-// of the page, so that the result is one self-contained file. The document holds surfaces and their grids of cells, not
-// patches: room.js cuts the surfaces into patches as Tessellation does. docs/viewer.md describes the document.
+// of the page, so that the result is one self-contained file. The document (docs/builders/page.md) holds surfaces and
+// their grids of cells, not patches: room.js cuts the surfaces into patches as Tessellation does.
 
 namespace {
 
@@ -432,7 +432,7 @@ std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& con
     return result;
 }
 
-/// The JSON document of everything that the page shows (docs/viewer.md).
+/// The JSON document of everything that the page shows (docs/builders/page.md).
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {
     std::vector<JsonObject> quantities;

@@ -134,7 +134,7 @@ class Viewer {
   }
 }
 
-// The interface for scripts and tests; see docs/viewer.md.
+// The interface for scripts and tests; see docs/builders/page.md.
 function script_interface(viewer) {
   return {
     ready: null, // [ms] from the opening of the page to its first complete picture
