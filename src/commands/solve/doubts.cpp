@@ -27,10 +27,16 @@ std::uint64_t all_lines(const SolveSummary& s)
     return s.solution.local_lines + s.solution.global_lines;
 }
 
+/// Lines of all replicates that are enough for line reuse, with a table of pairs or without.
+std::uint64_t enough_for_reuse(const SolveSummary& s)
+{
+    return static_cast<std::uint64_t>(s.solution.replicates) * min_balanced_rays(s.scene);
+}
+
 bool is_too_few_for_reuse(const SolveSummary& s)
 {
     return s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 &&
-           all_lines(s) < min_balanced_rays(s.scene);
+           all_lines(s) < enough_for_reuse(s);
 }
 
 double unshot_percent(const SolveSummary& s)
@@ -84,7 +90,7 @@ constexpr std::array result_checks = {
           [](const SolveSummary& s) {
               return format("too few lines per patch for line reuse: particles carried the light, with more noise; %s "
                             "lines are enough for reuse",
-                            grouped(min_balanced_rays(s.scene)).c_str());
+                            grouped(enough_for_reuse(s)).c_str());
           }},
     Check{[](const SolveSummary& s) {
               constexpr std::uint64_t few = 16; // per patch

@@ -55,15 +55,14 @@ public:
         double begin = 0.0; // of the cluster, in the cumulative irradiance
         double number = static_cast<double>(first) + offset;
         patch_sums.rays += static_cast<double>(items.size());
-        for (const Item& item : items) {
+        for (std::size_t k = 0; k < items.size(); ++k, number += 1.0) {
             const double at = number * step;
             while (cluster + 1 < cuts_.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
             const double x = std::clamp((at - begin) / static_cast<double>(cluster->irradiance), 0.0, below_one);
-            add_ray(patch, receiver, *cluster, x, item, true, patch_sums);
-            if (&item == &items.back())
-                add_another(patch, receiver, *cluster, x, item, patch_sums);
-            number += 1.0;
+            add_ray(patch, receiver, *cluster, x, items[k], true, patch_sums);
+            if (k + 1 == items.size())
+                add_another(patch, receiver, *cluster, x, items[k], patch_sums);
         }
     }
 
