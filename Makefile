@@ -107,7 +107,7 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 of_rooms = $(filter $(foreach room,$1,$(BUILD)/src/$(room).o $(BUILD)/src/$(room)/%),$(objects))
 $(objects) $(test_objects): OPTIMISE = -Og
 $(call of_rooms,scene image): OPTIMISE = -O1
-$(call of_rooms,base parallel sampling geometry transport radiosity): OPTIMISE = -O3
+$(call of_rooms,base parallel sampling geometry transport radiosity scene/texture): OPTIMISE = -O3
 
 define compile
 @mkdir -p $(@D)

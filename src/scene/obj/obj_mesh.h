@@ -85,7 +85,7 @@ struct ObjMesh
 /// beyond 1e9, free-form surfaces and included files, a file without faces, 2^31 or more vertices or corners, and
 /// more than 256 different `mtllib` statements. These cause a warning: unknown statements; weights of vertices other
 /// than 1, and colours that are not red, green and blue from 0 to 1; a texture coordinate that is malformed or beyond
-/// 1e6, which counts as 0; and a reference to a missing texture point, which is ignored.
+/// 1e9, which counts as 0; and a reference to a missing texture point, which is ignored.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

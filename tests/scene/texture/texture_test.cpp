@@ -2,6 +2,7 @@
 
 #include "sampling/halton.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <string>
@@ -88,6 +89,78 @@ TEST_CASE("the mean over a polygon is that of its points, wherever it lies on a 
                 CHECK(is_near(t.mean(f), sampled_mean(t, f), 4e-3));
             }
         }
+}
+
+// The part of a polygon on one side of a line (Sutherland and Hodgman 1974): where sign * (s or t) <= sign * limit.
+TexturePolygon clipped(const TexturePolygon& p, double TexturePoint::*axis, double limit, double sign)
+{
+    TexturePolygon inside;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        const TexturePoint a = p[k];
+        const TexturePoint b = p[(k + 1) % p.size()];
+        const double at_a = sign * (a.*axis - limit);
+        const double at_b = sign * (b.*axis - limit);
+        if (at_a <= 0.0)
+            inside.push_back(a);
+        if (at_a * at_b < 0.0) {
+            const double x = at_a / (at_a - at_b);
+            inside.push_back({a.s + x * (b.s - a.s), a.t + x * (b.t - a.t)});
+        }
+    }
+    return inside;
+}
+
+/// The mean by areas of the polygon in every pixel.
+Rgb mean_by_pixels(const Texture& t, const TexturePolygon& p)
+{
+    const double w = t.bitmap().width;
+    const double h = t.bitmap().height;
+    Rgb sum;
+    double area = 0.0;
+    double low_s = p[0].s, high_s = p[0].s, low_t = p[0].t, high_t = p[0].t;
+    for (const TexturePoint q : p) {
+        low_s = std::min(low_s, q.s);
+        high_s = std::max(high_s, q.s);
+        low_t = std::min(low_t, q.t);
+        high_t = std::max(high_t, q.t);
+    }
+    for (double y = std::floor(low_t * h); y < high_t * h; y += 1.0) {
+        TexturePolygon in_row = clipped(p, &TexturePoint::t, y / h, -1.0);
+        in_row = clipped(in_row, &TexturePoint::t, (y + 1.0) / h, 1.0);
+        for (double x = std::floor(low_s * w); x < high_s * w; x += 1.0) {
+            TexturePolygon in_pixel = clipped(in_row, &TexturePoint::s, x / w, -1.0);
+            in_pixel = clipped(in_pixel, &TexturePoint::s, (x + 1.0) / w, 1.0);
+            const double part = std::abs(area_of(in_pixel));
+            sum += part * pixel_at(t, {(x + 0.5) / w, (y + 0.5) / h});
+            area += part;
+        }
+    }
+    return 1.0 / area * sum;
+}
+
+TEST_CASE("the mean over a polygon is that of its parts in the pixels")
+{
+    std::uint64_t k = 0;
+    const auto number = [&] { return radical_inverse(2, ++k * 7919); };
+    for (const bool repeats : {true, false})
+        for (const auto& size : {std::pair{37, 90}, {5, 3}, {64, 64}, {1, 50}, {33, 8}})
+            for (const bool upright : {true, false})
+                for (int trial = 0; trial < 12; ++trial) {
+                    const Texture t = texture(size.first, size.second, repeats);
+                    const TexturePoint o = {3.0 * number() - 1.0, 3.0 * number() - 1.0};
+                    const double extent = trial % 3 == 0 ? 0.1 : 1.7;
+                    const TexturePoint u = {extent * (number() + 0.01), upright ? 0.0 : extent * (number() - 0.5)};
+                    const TexturePoint v = {upright ? 0.0 : extent * (number() - 0.5), extent * (number() + 0.01)};
+                    TexturePolygon p = parallelogram(o, u, v);
+                    if (trial % 4 == 1)
+                        p.pop_back(); // a triangle
+                    if (trial % 4 == 2)
+                        std::reverse(p.begin(), p.end());
+                    CAPTURE(size.first);
+                    CAPTURE(upright);
+                    CAPTURE(trial);
+                    CHECK(is_near(t.mean(p), mean_by_pixels(t, p), 1e-11));
+                }
 }
 
 TEST_CASE("means of whole pixels and whole textures are exact")
