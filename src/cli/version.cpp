@@ -36,7 +36,7 @@ std::string usable_sets()
 
 std::string version()
 {
-    return "multipath 0.1.0";
+    return "multipath 1.0.0";
 }
 
 std::string sources_checksum()

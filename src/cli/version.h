@@ -4,7 +4,7 @@
 
 namespace multipath {
 
-/// "multipath 0.1.0"
+/// "multipath 1.0.0"
 std::string version();
 
 /// Checksum and size of the sources from which the program was built, to distinguish builds of the same version.

@@ -172,7 +172,7 @@ TEST_CASE("a field is quoted where it must be, and is read back")
 
 TEST_CASE("a comment's value is what follows its name and a colon")
 {
-    const std::vector<std::string> comments = {"multipath 0.1.0", "scenery: a", "scene: 0123: 4", "scene: 5", "seed:6"};
+    const std::vector<std::string> comments = {"multipath 1.0.0", "scenery: a", "scene: 0123: 4", "scene: 5", "seed:6"};
     CHECK(comment_value(comments, "scene") == "0123: 4");
     CHECK_FALSE(comment_value(comments, "seed"));
     CHECK_FALSE(comment_value(comments, "multipath"));
@@ -180,7 +180,7 @@ TEST_CASE("a comment's value is what follows its name and a colon")
 
 TEST_CASE("every comment is a line of its own")
 {
-    CHECK(comment_lines({"multipath 0.1.0", "seed: 1"}) == "# multipath 0.1.0\n# seed: 1\n");
+    CHECK(comment_lines({"multipath 1.0.0", "seed: 1"}) == "# multipath 0.1.0\n# seed: 1\n");
     CHECK(comment_lines({}).empty());
 }
 

@@ -94,7 +94,7 @@ Texture::Texture(std::string name, std::string bytes, bool repeats)
         for (std::uint32_t x = 0; x < bitmap_.width; x += strip_width) {
             Strip& strip = strips_[std::size_t{x / strip_width} * bitmap_.height + y];
             strip = {sum, {}};
-            const std::size_t used = 3 * std::min(strip_width, bitmap_.width - x);
+            const std::size_t used = std::size_t{3} * std::min(strip_width, bitmap_.width - x);
             std::copy_n(bitmap_.row(y) + 3 * std::size_t{x}, used, strip.rgb.begin());
             for (std::size_t k = 0; k < used; ++k)
                 sum[k % 3] += linear_of_srgb[strip.rgb[k]];
