@@ -180,7 +180,7 @@ TEST_CASE("a comment's value is what follows its name and a colon")
 
 TEST_CASE("every comment is a line of its own")
 {
-    CHECK(comment_lines({"multipath 1.0.0", "seed: 1"}) == "# multipath 0.1.0\n# seed: 1\n");
+    CHECK(comment_lines({"multipath 1.0.0", "seed: 1"}) == "# multipath 1.0.0\n# seed: 1\n");
     CHECK(comment_lines({}).empty());
 }
 
