@@ -2,7 +2,8 @@
 // an exit code.
 
 #include "base/errors.h"
-#include "base/memory.h"
+#include "base/platform/machine.h"
+#include "base/platform/process.h"
 #include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
@@ -64,9 +65,9 @@ int wrong_usage(const std::exception& error, const std::vector<Command>& command
 int main(int argc, char** argv)
 {
     keep_freed_memory();
-    prepare_standard_streams();
+    prepare_process();
     end_at_interrupts();
-    end_at_bus_errors();
+    end_at_failed_mappings();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {

@@ -1,12 +1,13 @@
 #include "base/file_bytes.h"
 
 #include "base/errors.h"
+#include "base/platform/files.h"
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <stdexcept>
-#include <sys/mman.h>
-#include <sys/stat.h>
 #include <system_error>
 #include <utility>
 
@@ -14,22 +15,26 @@ namespace multipath {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 [[noreturn]] void fail()
 {
     throw std::runtime_error(std::generic_category().message(errno));
 }
 
-/// Reads a file that cannot be mapped, such as a pipe, to its end. Throws if there is more than 1 GiB.
-std::vector<char> read_all(std::FILE* file)
+/// Reads a file to its end. Throws if there is more than `most` [bytes].
+std::vector<char> read_all(const std::string& path, std::size_t most)
 {
-    constexpr std::size_t most = std::size_t{1} << 30;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file)
+        fail();
     constexpr std::size_t more = std::size_t{1} << 20;
     std::vector<char> bytes;
     while (bytes.size() <= most) {
         const std::size_t length = bytes.size();
         bytes.resize(length + more);
-        const std::size_t got = std::fread(bytes.data() + length, 1, more, file);
-        if (std::ferror(file) != 0)
+        const std::size_t got = std::fread(bytes.data() + length, 1, more, file.get());
+        if (std::ferror(file.get()) != 0)
             fail();
         bytes.resize(length + got);
         if (got < more)
@@ -42,23 +47,19 @@ std::vector<char> read_all(std::FILE* file)
 
 FileBytes::FileBytes(const std::string& path)
 {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    struct stat status = {};
-    if (!file || fstat(fileno(file.get()), &status) != 0)
-        fail();
-    if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode))
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_character_file(status) || fs::is_block_file(status))
         throw std::runtime_error("a device; expected a file or a pipe");
-    if (!S_ISREG(status.st_mode) || status.st_size == 0) {
-        *this = FileBytes(read_all(file.get()));
+    const MappedFile mapped = map_file(path);
+    if (!mapped.owner) {
+        const bool is_file = fs::is_regular_file(status);
+        *this = FileBytes(read_all(path, is_file ? std::numeric_limits<std::size_t>::max() : std::size_t{1} << 30));
         return;
     }
-    size_ = static_cast<std::size_t>(status.st_size);
-    void* const mapped = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, fileno(file.get()), 0);
-    if (mapped == MAP_FAILED)
-        fail();
-    owner_ = std::shared_ptr<const void>(
-        mapped, [size = size_](const void* memory) { munmap(const_cast<void*>(memory), size); });
-    data_ = static_cast<const char*>(mapped);
+    owner_ = mapped.owner;
+    data_ = mapped.data;
+    size_ = mapped.size;
 }
 
 FileBytes::FileBytes(std::vector<char> bytes)

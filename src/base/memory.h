@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/platform/machine.h"
+
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -32,16 +34,6 @@ void prefetch_all(const Object& object)
     for (std::size_t byte = 0; byte < sizeof(Object); byte += cache_line)
         prefetch(reinterpret_cast<const char*>(&object) + byte);
 }
-
-/// Asks the system for huge pages (2 MB) for a block of memory: fewer page faults when the memory is first touched,
-/// fewer TLB misses afterwards. The contents do not change. Has no effect on blocks below 4 MB, or on systems without
-/// such pages.
-void ask_for_huge_pages(void* memory, std::size_t bytes);
-
-/// Freed memory stays with the program, up to 64 MB, for what it allocates next. By default glibc returns most of it to
-/// the system, which then clears the pages of every run of a study or selftest again. Has no effect with other C
-/// libraries.
-void keep_freed_memory();
 
 /// Initial contents of the elements that a constructor or resize(count) adds to a vector with LargeAllocator.
 enum class NewElements {

@@ -1,9 +1,10 @@
 #include "cli/progress.h"
 
+#include "base/platform/process.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <unistd.h>
 #include <utility>
 
 namespace multipath {
@@ -27,7 +28,7 @@ ProgressStyle progress_style(const CommandLine& line)
     const When when = line.choice("progress", when_choices).value;
     if (when == When::never || (line.has("quiet") && when == When::automatic))
         return ProgressStyle::none;
-    return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+    return standard_error_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 Progress::Progress(std::string what, ProgressStyle style) : what_(std::move(what)), style_(style) {}

@@ -1,3 +1,4 @@
+#include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
@@ -15,10 +16,8 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
+#include <filesystem>
 #include <string>
-#include <sys/utsname.h>
-#include <unistd.h>
 
 namespace multipath {
 
@@ -79,7 +78,8 @@ std::string scenes_folder(const CommandLine& line)
 {
     const std::string given = line.text("scenes");
     const std::string bundled = bundled_scenes_folder();
-    const bool here = access((given + "/5cubes.obj").c_str(), F_OK) == 0;
+    std::error_code error;
+    const bool here = std::filesystem::exists(given + "/5cubes.obj", error);
     return here || given != line.default_text("scenes") || bundled.empty() ? given : bundled;
 }
 
@@ -101,25 +101,12 @@ PaperFindings read_findings(const CommandLine& line, const std::string& scenes, 
     return findings;
 }
 
-/// The processor's name as the system reports it, otherwise the type of machine.
-std::string processor_name()
-{
-    std::ifstream facts("/proc/cpuinfo"); // Linux
-    for (std::string line; std::getline(facts, line);)
-        if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
-            return line.substr(line.find(": ") + 2);
-    utsname names{};
-    return uname(&names) == 0 ? names.machine : "unknown";
-}
-
 /// The current date (UTC), such as "2026-11-21".
 std::string today()
 {
     const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
     std::array<char, 16> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", &utc);
+    std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now));
     return text.data();
 }
 
@@ -146,7 +133,8 @@ int run_paper(const CommandLine& line)
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), scenes, folder);
     always_end_at_interrupts("the same command resumes from the finished runs");
     make_folder(folder);
-    const bool resumed = access((folder + "/cache").c_str(), F_OK) == 0;
+    std::error_code error;
+    const bool resumed = std::filesystem::exists(folder + "/cache", error);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!quiet)
             print_note(format("[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str()));

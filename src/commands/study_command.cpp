@@ -37,7 +37,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -229,9 +228,8 @@ constexpr std::uint64_t reference_factor = 16; ///< lines of the reference over 
 /// The folder NAME.cache beside the output NAME.*.
 std::string cache_beside(const std::string& output)
 {
-    const std::size_t slash = output.rfind('/');
     const std::size_t dot = output.rfind('.');
-    const bool extension = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+    const bool extension = dot != std::string::npos && dot >= folder_of(output).size();
     return (extension ? output.substr(0, dot) : output) + ".cache";
 }
 
@@ -315,7 +313,8 @@ Reference reference_of(const PatchTable& table, const Scene& scene)
 std::optional<Reference> kept_reference(const std::string& path, const std::vector<std::string>& facts,
                                         const Scene& scene)
 {
-    if (access(path.c_str(), R_OK) != 0)
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
         return std::nullopt;
     const PatchTable table = read_patch_table(path);
     if (table.comments != facts)

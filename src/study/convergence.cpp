@@ -1,5 +1,6 @@
 #include "study/convergence.h"
 
+#include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "image/checksum.h"
 #include "parallel/blocks.h"
@@ -11,7 +12,6 @@
 #include <cerrno>
 #include <cinttypes>
 #include <cstring>
-#include <ctime>
 #include <locale>
 #include <memory>
 #include <mutex>
@@ -105,17 +105,10 @@ constexpr double clearly_above = 10.0; ///< times the error of the reference, wh
 class ProcessorTime
 {
 public:
-    double seconds() const { return now() - start_; } ///< [s]
+    double seconds() const { return thread_seconds() - start_; } ///< [s]
 
 private:
-    static double now()
-    {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    }
-
-    double start_ = now();
+    double start_ = thread_seconds();
 };
 
 std::string curve_name(const CurveKind& kind)

@@ -5,20 +5,18 @@
 #include "cli/files/interrupt.h"
 
 #include "base/errors.h"
+#include "base/platform/process.h"
 #include "cli/files/output_file.h"
 
 #include <array>
 #include <atomic>
-#include <csignal>
 #include <cstddef>
-#include <unistd.h>
 
 namespace multipath {
 
 namespace {
 
 constexpr unsigned seconds_to_end = 2;
-constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
 
 // Flags are int, not bool: RISC-V has no atomic exchange of single bytes.
 std::atomic<int> signal_received{0};
@@ -35,7 +33,7 @@ public:
     /// On a terminal the text begins on a new line: the current one may show a progress bar or ^C.
     void begin(const char* text)
     {
-        if (isatty(STDERR_FILENO) != 0)
+        if (standard_error_is_terminal())
             text_[size_++] = '\n';
         add(text);
     }
@@ -52,9 +50,8 @@ public:
     [[noreturn]] void end_program(int exit_code)
     {
         text_[size_++] = '\n';
-        const auto written = write(STDERR_FILENO, text_.data(), size_);
-        (void)written;
-        _exit(exit_code);
+        write_to_standard_error(text_.data(), size_);
+        end_process(exit_code);
     }
 
 private:
@@ -89,51 +86,27 @@ extern "C" void end_failed(int)
     last_line.end_program(exit_failed);
 }
 
-/// Handler of SIGALRM, two seconds after the first signal.
+/// Handler of the alarm, two seconds after the first signal.
 extern "C" void end_in_time(int signal)
 {
     if (delays > 0)
-        alarm(1);
+        start_alarm(1);
     else
         end_with_what_is_complete(signal);
-}
-
-using Handler = void (*)(int);
-
-/// Installs a handler. It is not interrupted by the other signals of this file, SIGBUS excepted.
-void handle(int signal, Handler handler)
-{
-    struct sigaction action = {};
-    action.sa_handler = handler;
-    action.sa_flags = SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    for (const int end : end_signals)
-        sigaddset(&action.sa_mask, end);
-    sigaddset(&action.sa_mask, SIGALRM);
-    sigaction(signal, &action, nullptr);
-}
-
-void handle_ends(Handler handler)
-{
-    for (const int signal : end_signals) {
-        struct sigaction before = {};
-        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-            handle(signal, handler);
-    }
 }
 
 extern "C" void note_interrupt(int)
 {
     signal_received = 1;
-    handle_ends(end_with_what_is_complete);
-    alarm(seconds_to_end);
+    handle_end_signals(end_with_what_is_complete);
+    start_alarm(seconds_to_end);
 }
 
 } // namespace
 
 void end_at_interrupts()
 {
-    handle_ends(end_at_once);
+    handle_end_signals(end_at_once);
 }
 
 void always_end_at_interrupts(const char* hint)
@@ -146,13 +119,13 @@ void watch_interrupts()
 {
     if (always_ends != 0 || signal_received != 0)
         return;
-    handle(SIGALRM, end_in_time);
-    handle_ends(note_interrupt);
+    handle_alarm(end_in_time);
+    handle_end_signals(note_interrupt);
 }
 
-void end_at_bus_errors()
+void end_at_failed_mappings()
 {
-    handle(SIGBUS, end_failed);
+    handle_failed_mapping(end_failed);
 }
 
 bool interrupted()

@@ -2,8 +2,7 @@
 
 namespace multipath {
 
-// The signals below are SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal was closed). A signal that is already ignored
-// when the program starts (in background jobs of a shell, under nohup) stays ignored.
+// The signals below are those of handle_end_signals() (base/platform/process.h): Ctrl-C, and others that end a program.
 
 /// From now on a signal ends the program at once: it removes all temporary output files, prints one line on stderr and
 /// exits with exit_interrupted.
@@ -22,10 +21,9 @@ void watch_interrupts();
 /// True if a signal has been received since watch_interrupts().
 bool interrupted();
 
-/// From now on SIGBUS ends the program at once: it removes all temporary output files, prints one line on stderr and
-/// exits with exit_failed. The system raises the signal when a memory-mapped file is truncated while it is read, or the
-/// disk of the file fails.
-void end_at_bus_errors();
+/// From now on the program ends at once when a mapped file cannot be read (handle_failed_mapping): it removes all
+/// temporary output files, prints one line on stderr and exits with exit_failed.
+void end_at_failed_mappings();
 
 /// While an object exists, the program does not end two seconds after a signal (watch_interrupts()): the handler waits
 /// and checks again every second, so that a state has the time to reach the disk. A second signal still ends the

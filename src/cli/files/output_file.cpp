@@ -1,6 +1,7 @@
 #include "cli/files/output_file.h"
 
 #include "base/errors.h"
+#include "base/platform/files.h"
 #include "cli/options/choices.h"
 #include "scene/text/text_words.h"
 
@@ -14,13 +15,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
+#include <random>
 #include <string_view>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace multipath {
@@ -37,12 +35,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t letter_count = 6;
 constexpr std::string_view ending = ".part";
 
-/// Six letters that differ between processes, files and attempts; O_EXCL guarantees that the name is new.
+/// Six letters that differ between processes, files and attempts; create_locked_file() guarantees a new name.
 std::string letters(unsigned attempt)
 {
+    static const std::uint64_t process = std::random_device{}();
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    auto bits =
-        (static_cast<std::uint64_t>(now) + attempt) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(getpid());
+    auto bits = (static_cast<std::uint64_t>(now) + attempt) * 0x9E3779B97F4A7C15u ^ process;
     std::string result;
     for (std::size_t i = 0; i < letter_count; ++i, bits /= 26)
         result += static_cast<char>('a' + bits % 26);
@@ -63,16 +61,6 @@ bool is_part_name(const std::string& name, const std::string& start)
            name.find_first_not_of("abcdefghijklmnopqrstuvwxyz", start.size()) == start.size() + letter_count;
 }
 
-void remove_if_abandoned(const std::string& path)
-{
-    const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0)
-        return;
-    if (flock(file, LOCK_EX | LOCK_NB) == 0)
-        unlink(path.c_str());
-    close(file);
-}
-
 void remove_abandoned(const std::string& target)
 {
     const std::string folder = folder_of(target);
@@ -82,41 +70,26 @@ void remove_abandoned(const std::string& target)
     for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (is_part_name(name, start))
-            remove_if_abandoned(folder + name);
+            remove_if_unlocked(folder + name);
     }
-}
-
-/// Locks a new file. False if another run has locked or removed it in between, as abandoned. True also on file systems
-/// without locks, where no other run can lock it either.
-bool locked(const PartFile& file)
-{
-    if (flock(file.descriptor, LOCK_EX | LOCK_NB) != 0)
-        return errno != EWOULDBLOCK;
-    struct stat status = {};
-    return fstat(file.descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
 } // namespace
 
 std::string folder_of(const std::string& path)
 {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+    return path.substr(0, path.find_last_of(folder_separators) + 1); // npos + 1 is 0
 }
 
-PartFile create_part_file(const std::string& target, mode_t mode)
+PartFile create_part_file(const std::string& target, bool is_private)
 {
     remove_abandoned(target);
     PartFile file;
     for (unsigned attempt = 0; attempt < 100; ++attempt) {
         file.path = folder_of(target) + name_start(target) + letters(attempt) + std::string(ending);
-        file.descriptor = open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file.descriptor < 0 && errno != EEXIST)
+        file.descriptor = create_locked_file(file.path, is_private);
+        if (file.descriptor >= 0 || errno != EEXIST)
             return file;
-        if (file.descriptor >= 0 && locked(file))
-            return file;
-        if (file.descriptor >= 0)
-            close(file.descriptor);
     }
     return {file.path, -1};
 }
@@ -180,14 +153,14 @@ void remove_unfinished() noexcept
 {
     for (const Slot& slot : slots)
         if (slot.state == State::full || slot.state == State::complete)
-            unlink(slot.path.data());
+            remove_file(slot.path.data());
 }
 
 void settle_unfinished(void (*not_written)(const char* target)) noexcept
 {
     for (const Slot& slot : slots) {
         const State state = slot.state;
-        if (state == State::complete && std::rename(slot.path.data(), slot.target.data()) == 0)
+        if (state == State::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
             continue;
         if (state == State::full || state == State::complete)
             not_written(slot.target.data());
@@ -212,44 +185,17 @@ const std::string standard_output = "standard output";
     throw OutputError(message);
 }
 
-/// Writes all bytes. Returns 0 or the error number.
-int write_all(int descriptor, std::string_view bytes)
-{
-    while (!bytes.empty()) {
-        // The largest single write that every system takes is just under 2^31 bytes.
-        const ssize_t written = ::write(descriptor, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
-        if (written < 0 && errno != EINTR)
-            return errno;
-        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-/// Flushes the folder of the path to the disk, so that a new name in it survives a crash. Returns 0 or EIO; folders
-/// that may not be read, or have no fsync, are left to the system.
-int sync_folder_of(const std::string& path)
-{
-    const std::string folder = folder_of(path);
-    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return 0;
-    const int error = fsync(descriptor) != 0 && errno == EIO ? errno : 0;
-    close(descriptor);
-    return error;
-}
-
 /// Resolves the symbolic links at the end of a path, even if the last link points to a file that does not exist yet.
 /// Throws OutputError for circular links and chains of 40 links or more.
 std::string follow_links(const std::string& name)
 {
     std::string path = name;
     for (int links = 0; links < 40; ++links) {
-        std::string target(4096, '\0');
-        const ssize_t length = readlink(path.c_str(), &target[0], target.size());
-        if (length < 0)
+        std::error_code error;
+        const fs::path target = fs::read_symlink(path, error);
+        if (error)
             return path;
-        target.resize(static_cast<std::size_t>(length));
-        path = target[0] == '/' ? target : folder_of(path) + target;
+        path = target.is_absolute() ? target.string() : folder_of(path) + target.string();
     }
     fail(name, ELOOP);
 }
@@ -258,42 +204,53 @@ std::string follow_links(const std::string& name)
 
 void make_folder(const std::string& path)
 {
-    struct stat status = {};
-    if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
-        throw OutputError("cannot make the folder " + path + ": " + std::generic_category().message(errno));
-    if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
-        throw OutputError("cannot write into " + path + ": it is not a folder");
+    std::error_code error;
+    fs::create_directory(path, error);
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown))
+        return;
+    const bool failed = error && error != std::errc::file_exists && error != std::errc::not_a_directory;
+    throw OutputError(failed ? "cannot make the folder " + path + ": " + error.message()
+                             : "cannot write into " + path + ": it is not a folder");
 }
 
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)
 {
-    struct stat status = {};
-    const bool to_standard_output = path == "-";
-    const bool exists = !to_standard_output && stat(path.c_str(), &status) == 0;
-    if (to_standard_output) {
-        descriptor_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-    } else if (!exists && errno != ENOENT) {
-        fail(name_, errno);
-    } else if (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
-        descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    } else {
-        target_ = follow_links(path);
-        if (S_ISDIR(status.st_mode) || (!target_.empty() && target_.back() == '/'))
-            fail(name_, EISDIR);
-        if (target_.empty())
-            fail(name_, ENOENT);
-        if (exists && access(target_.c_str(), W_OK) != 0)
+    if (path == "-") {
+        descriptor_ = copy_standard_output();
+        if (descriptor_ < 0)
             fail(name_, errno);
-        // A private target must not be readable by others before fchmod() below.
-        const PartFile file = create_part_file(target_, exists ? 0600 : 0666);
-        descriptor_ = file.descriptor;
-        temporary_ = descriptor_ < 0 ? "" : file.path;
-        unfinished_ = temporary_.empty() ? Unfinished() : Unfinished(temporary_, target_);
+        return;
     }
-    if (descriptor_ < 0 || (exists && !temporary_.empty() && fchmod(descriptor_, status.st_mode & 07777) != 0)) {
-        const int error = errno;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::none)
+        fail(name_, error.value());
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+        descriptor_ = open_device(path);
+        if (descriptor_ < 0)
+            fail(name_, errno);
+        return;
+    }
+    target_ = follow_links(path);
+    if (target_.empty())
+        fail(name_, ENOENT);
+    if (fs::is_directory(status) || folder_of(target_) == target_)
+        fail(name_, EISDIR);
+    if (const int reason = fs::exists(status) ? check_writable(target_) : 0)
+        fail(name_, reason);
+    // A private target must not be readable by others before it has the permissions of the old file.
+    const PartFile file = create_part_file(target_, fs::exists(status));
+    if (file.descriptor < 0)
+        fail(name_, errno);
+    descriptor_ = file.descriptor;
+    temporary_ = file.path;
+    unfinished_ = Unfinished(temporary_, target_);
+    if (fs::exists(status))
+        fs::permissions(temporary_, status.permissions(), error);
+    if (error && fs::exists(status)) {
         discard();
-        fail(name_, error);
+        fail(name_, error.value());
     }
 }
 
@@ -314,51 +271,42 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 void OutputFile::write(std::string_view bytes)
 {
     assert(descriptor_ >= 0);
-    if (const int error = write_all(descriptor_, bytes)) {
-        discard();
-        fail(name_, error);
-    }
+    discard_at(write_all(descriptor_, bytes));
 }
 
 void OutputFile::complete()
 {
     assert(descriptor_ >= 0);
-    // EINVAL: the file system has no fsync. Some of these report errors at close(), so a copy of the descriptor is
-    // closed.
-    const int copy = dup(descriptor_);
-    int error = copy < 0 ? errno : 0;
-    if (error == 0 && !temporary_.empty() && fsync(copy) != 0 && errno != EINVAL)
-        error = errno;
-    if (copy >= 0 && close(copy) != 0 && error == 0)
-        error = errno;
-    if (error != 0) {
-        discard();
-        fail(name_, error);
-    }
+    discard_at(finish_writing(descriptor_, !temporary_.empty()));
     unfinished_.complete();
 }
 
 void OutputFile::commit()
 {
     complete();
-    int error = 0;
-    if (!temporary_.empty())
-        error = std::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : sync_folder_of(target_);
-    if (error != 0) {
-        discard();
-        fail(name_, error);
+    if (!temporary_.empty()) {
+        const int error = rename_over(temporary_.c_str(), target_.c_str());
+        discard_at(error != 0 ? error : flush_folder(folder_of(target_)));
     }
     temporary_.clear();
     unfinished_ = {};
-    close(std::exchange(descriptor_, -1)); // after the rename: closing the descriptor releases the lock
+    close_file(std::exchange(descriptor_, -1)); // after the rename: closing the descriptor releases the lock
+}
+
+void OutputFile::discard_at(int error)
+{
+    if (error == 0)
+        return;
+    discard();
+    fail(name_, error);
 }
 
 void OutputFile::discard() noexcept
 {
     if (descriptor_ >= 0)
-        close(std::exchange(descriptor_, -1));
+        close_file(std::exchange(descriptor_, -1));
     if (!temporary_.empty())
-        unlink(temporary_.c_str());
+        remove_file(temporary_.c_str());
     temporary_.clear();
     unfinished_ = {};
 }
@@ -383,9 +331,8 @@ void refuse_input(const std::string& path, const std::vector<std::string>& input
 
 std::string lower_case_extension(const std::string& path)
 {
-    const std::size_t slash = path.find_last_of('/');
     const std::size_t dot = path.find_last_of('.');
-    if (dot == std::string::npos || (slash != std::string::npos && dot < slash))
+    if (dot == std::string::npos || dot < folder_of(path).size())
         return "";
     std::string extension = path.substr(dot);
     for (char& c : extension)
@@ -397,20 +344,19 @@ std::string lower_case_extension(const std::string& path)
 
 bool same_file(const std::string& a, const std::string& b)
 {
-    struct stat status_a = {};
-    struct stat status_b = {};
-    const auto same = [&] { return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino; };
-    if (stat(a.c_str(), &status_a) == 0 && stat(b.c_str(), &status_b) == 0)
-        return same();
+    std::error_code error;
+    if (fs::exists(a, error) && fs::exists(b, error))
+        return fs::equivalent(a, b, error);
     // Files that do not exist yet: the same name in the same folder.
     const std::string end_a = follow_links(a);
     const std::string end_b = follow_links(b);
     const auto folder = [](const std::string& path) {
-        return path[0] == '/' ? folder_of(path) : "./" + folder_of(path);
+        return fs::path(path).is_absolute() ? folder_of(path) : "./" + folder_of(path);
     };
     const auto name = [](const std::string& path) { return path.substr(folder_of(path).size()); };
-    return !end_a.empty() && !end_b.empty() && name(end_a) == name(end_b) &&
-           stat(folder(end_a).c_str(), &status_a) == 0 && stat(folder(end_b).c_str(), &status_b) == 0 && same();
+    return !end_a.empty() && !end_b.empty() &&
+           (names_ignore_case ? equal_but_for_case(name(end_a), name(end_b)) : name(end_a) == name(end_b)) &&
+           fs::equivalent(folder(end_a), folder(end_b), error);
 }
 
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions)

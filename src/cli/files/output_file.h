@@ -4,22 +4,21 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <sys/types.h>
 #include <vector>
 
 namespace multipath {
 
 /// A temporary output file, to be renamed to its target NAME once it is complete: ".NAME.XXXXXX.part" in the folder of
-/// the target, with at most 200 bytes of NAME. The file is locked (flock) while its descriptor is open.
+/// the target, with at most 200 bytes of NAME. The file is locked while its descriptor is open (create_locked_file).
 struct PartFile
 {
     std::string path;
     int descriptor = -1; ///< open for writing; -1: the file could not be created, see errno
 };
 
-/// Creates an empty part file with these permissions. First removes abandoned part files of the same target: killed
-/// runs have left them, and nobody locks them any more.
-PartFile create_part_file(const std::string& target, mode_t mode);
+/// Creates an empty part file. First removes abandoned part files of the same target: killed runs have left them, and
+/// nobody locks them any more. `is_private`: only the user may read it.
+PartFile create_part_file(const std::string& target, bool is_private);
 
 /// The folder of a path, including the last slash; "" for the working directory.
 std::string folder_of(const std::string& path);
@@ -87,6 +86,7 @@ public:
 
 private:
     void discard() noexcept;
+    void discard_at(int error);
 
     std::string name_;
     std::string target_;    ///< path without symbolic links at its end

@@ -3,10 +3,7 @@
 #include "cli/files/output_file.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace multipath {
 
@@ -19,17 +16,6 @@ void replace_controls(std::string& text)
 }
 
 } // namespace
-
-void prepare_standard_streams()
-{
-    // Opened for the opposite direction: reading or writing fails as on a closed stream.
-    constexpr int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
-    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (fcntl(descriptor, F_GETFD) < 0)
-            (void)open("/dev/null", modes[descriptor]); // gets the lowest free number: this one
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
-}
 
 void print(std::string text)
 {

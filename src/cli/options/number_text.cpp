@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -118,9 +119,8 @@ std::optional<double> real_value(const Decimal& decimal)
     if (decimal.digits.empty())
         return 0.0;
     const std::string text = decimal.digits + "e" + std::to_string(decimal.exponent);
-    double value = 0.0;
-    const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || !std::isnormal(value))
+    const double value = std::strtod(text.c_str(), nullptr); // no locale is set
+    if (!std::isnormal(value))
         return std::nullopt;
     return decimal.negative ? -value : value;
 }

@@ -1,6 +1,7 @@
 #include "commands/options/memory_limit.h"
 
 #include "base/errors.h"
+#include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "cli/options/number_text.h"
 #include "radiosity/reuse/balanced_reuse.h"
@@ -10,31 +11,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 
 namespace multipath {
 
 namespace {
-
-/// [bytes] Memory of the machine, or of the container in which the program runs. Infinite if the system does not report
-/// it.
-double machine_memory()
-{
-    const long pages = sysconf(_SC_PHYS_PAGES);
-    double bytes = pages > 0 ? static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE))
-                             : std::numeric_limits<double>::infinity();
-    // Linux control groups, versions 2 and 1. The file holds "max" if there is no limit.
-    for (const char* limit : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        std::ifstream file(limit);
-        if (double allowed = 0.0; file >> allowed && allowed > 0.0)
-            bytes = std::min(bytes, allowed);
-    }
-    return bytes;
-}
 
 double memory_limit(const CommandLine& line)
 {

@@ -1,6 +1,8 @@
 #include "commands/options/scene_options.h"
 
 #include "base/errors.h"
+#include "base/platform/files.h"
+#include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "cli/options/choices.h"
 #include "cli/options/number_text.h"
@@ -39,7 +41,7 @@ constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"l
 std::string find_scene(const std::string& name)
 {
     std::error_code error;
-    if (name.empty() || name.find('/') != std::string::npos || fs::exists(name, error))
+    if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(name, error))
         return name;
     const std::string folder = bundled_scenes_folder();
     if (!folder.empty())
@@ -277,8 +279,8 @@ int thread_count(const CommandLine& line)
 std::string bundled_scenes_folder()
 {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error); // empty on systems without it
-    if (error || !program.has_parent_path())
+    const fs::path program = program_path();
+    if (!program.has_parent_path())
         return "";
     const fs::path folder = program.parent_path();
     for (const fs::path& scenes : {folder.parent_path() / "share" / "multipath" / "scenes", folder / "scenes"})

@@ -341,7 +341,7 @@ OptionGroup solution_output_group()
 
 std::vector<std::string> default_outputs(const std::string& path)
 {
-    std::string name = path.substr(path.find_last_of('/') + 1);
+    std::string name = path.substr(folder_of(path).size());
     const std::size_t dot = name.find_last_of('.');
     if (dot != std::string::npos && dot > 0)
         name.resize(dot);
@@ -388,7 +388,7 @@ void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
 {
     for (PlannedOutput* const output : quickest_first(outputs)) {
         solved.show(output->view);
-        solved.file_name = output->file.name().substr(output->file.name().find_last_of('/') + 1);
+        solved.file_name = output->file.name().substr(folder_of(output->file.name()).size());
         output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }

@@ -19,8 +19,8 @@
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
-#include <sys/stat.h>
 #include <utility>
 
 namespace multipath {
@@ -40,8 +40,8 @@ std::vector<Option> options_with_effect()
 
 bool exists(const std::string& path)
 {
-    struct stat status = {};
-    return stat(path.c_str(), &status) == 0;
+    std::error_code error;
+    return std::filesystem::exists(path, error);
 }
 
 /// Reads "3/16", the third of sixteen shards.

@@ -391,7 +391,7 @@ std::optional<std::string> find_file(const fs::path& folder, std::string name)
         found = *entry;
     }
     std::error_code error;
-    return fs::is_regular_file(found, error) ? std::optional<std::string>(found.string()) : std::nullopt;
+    return fs::is_regular_file(found, error) ? std::optional<std::string>(found.generic_string()) : std::nullopt;
 }
 
 std::string last_part(const std::string& path)

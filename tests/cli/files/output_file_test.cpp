@@ -2,7 +2,7 @@
 #include "cli/files/output_file.h"
 
 #include "base/file_bytes.h"
-#include "cli/files/standard_streams.h"
+#include "base/platform/process.h"
 #include "cli/options/choices.h"
 #include "scene/scratch_folder.h"
 
@@ -207,7 +207,7 @@ TEST_CASE("devices are written, not replaced")
 
 TEST_CASE("a named pipe is written to its reader")
 {
-    prepare_standard_streams();
+    prepare_process();
     const Folder folder;
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
     const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
@@ -293,8 +293,8 @@ using namespace multipath;
 TEST_CASE("part files of one target stand side by side while their makers live")
 {
     const ScratchFolder folder;
-    const PartFile first = create_part_file(folder.path("a.csv"), 0666);
-    const PartFile second = create_part_file(folder.path("a.csv"), 0666);
+    const PartFile first = create_part_file(folder.path("a.csv"), false);
+    const PartFile second = create_part_file(folder.path("a.csv"), false);
     REQUIRE(first.descriptor >= 0);
     REQUIRE(second.descriptor >= 0);
     CHECK(std::filesystem::exists(first.path));
@@ -307,14 +307,14 @@ TEST_CASE("part files of one target stand side by side while their makers live")
 TEST_CASE("what nobody holds any more is removed by the next, and nothing else")
 {
     const ScratchFolder folder;
-    const PartFile dead = create_part_file(folder.path("a.csv"), 0666);
+    const PartFile dead = create_part_file(folder.path("a.csv"), false);
     close(dead.descriptor); // as the system does for a program that was killed
     const std::string others[] = {".b.csv.abcdef.part", ".a.csv.abcdefg.part", ".a.csv.abcde.part",
                                   ".a.csv.ABCDEF.part", ".a.csv.abcdef.part~", ".xa.csv.abcdef.part",
                                   "a.csv.abcdef.part"};
     for (const std::string& name : others)
         folder.write(name, "");
-    const PartFile next = create_part_file(folder.path("a.csv"), 0666);
+    const PartFile next = create_part_file(folder.path("a.csv"), false);
     CHECK_FALSE(std::filesystem::exists(dead.path));
     CHECK(std::filesystem::exists(next.path));
     for (const std::string& name : others)
@@ -327,7 +327,7 @@ TEST_CASE("a link that is named like a part file costs nothing that it leads to"
     const ScratchFolder folder;
     folder.write("kept", "bytes");
     std::filesystem::create_symlink("kept", folder.path(".a.csv.abcdef.part"));
-    close(create_part_file(folder.path("a.csv"), 0666).descriptor);
+    close(create_part_file(folder.path("a.csv"), false).descriptor);
     CHECK(std::filesystem::file_size(folder.path("kept")) == 5);
 }
 

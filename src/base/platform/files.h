@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+// What systems do differently with files. Names are UTF-8. Files are descriptors of the C library, errors its numbers
+// (errno); 0 means success. Nothing here throws.
+
+namespace multipath {
+
+/// Characters that end the name of a folder within a path.
+extern const std::string_view folder_separators;
+
+/// Whether names that differ only in upper and lower case are names of one file.
+extern const bool names_ignore_case;
+
+/// Creates an empty file, open for writing, and locks it: until it is closed, remove_if_unlocked() of any program
+/// leaves it. `is_private`: only the user may read it. -1: see errno; EEXIST if the name is taken.
+int create_locked_file(const std::string& path, bool is_private);
+
+/// Removes a file that no running program has created and locked. Errors are ignored.
+void remove_if_unlocked(const std::string& path);
+
+/// Opens a device or a pipe for writing; -1: see errno.
+int open_device(const std::string& path);
+
+/// A new descriptor of standard output; -1: see errno.
+int copy_standard_output();
+
+/// Writes all bytes. EPIPE: the reader has closed the pipe.
+int write_all(int descriptor, std::string_view bytes);
+
+/// Whether all bytes could be written. If `to_disk`, waits until they are on the disk, where the file system can tell.
+/// The descriptor stays open.
+int finish_writing(int descriptor, bool to_disk);
+
+/// Waits until the names of new files in a folder ("": the working directory) are on the disk.
+int flush_folder(const std::string& folder);
+
+int close_file(int descriptor);
+
+/// Whether an existing file may be written.
+int check_writable(const std::string& path);
+
+/// Renames a file, and replaces the one that has the name, in one step. Async-signal-safe.
+int rename_over(const char* from, const char* to) noexcept;
+
+/// Errors are ignored. Async-signal-safe.
+void remove_file(const char* path) noexcept;
+
+/// A file in memory.
+struct MappedFile
+{
+    std::shared_ptr<const void> owner;
+    const char* data = nullptr;
+    std::size_t size = 0;
+};
+
+/// Maps a regular file. Without an owner if it is empty or cannot be mapped, or where a file that is mapped cannot be
+/// replaced: then it must be read.
+MappedFile map_file(const std::string& path);
+
+} // namespace multipath

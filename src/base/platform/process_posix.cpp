@@ -1,0 +1,83 @@
+#ifndef _WIN32
+
+#include "base/platform/process.h"
+
+#include <array>
+#include <csignal>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace multipath {
+
+namespace {
+
+constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
+
+/// Installs a handler. It is not interrupted by the other signals of this file, SIGBUS excepted.
+void handle(int signal, SignalHandler handler)
+{
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int end : end_signals)
+        sigaddset(&action.sa_mask, end);
+    sigaddset(&action.sa_mask, SIGALRM);
+    sigaction(signal, &action, nullptr);
+}
+
+} // namespace
+
+void handle_end_signals(SignalHandler handler)
+{
+    for (const int signal : end_signals) {
+        struct sigaction before = {};
+        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+            handle(signal, handler);
+    }
+}
+
+void handle_alarm(SignalHandler handler)
+{
+    handle(SIGALRM, handler);
+}
+
+void start_alarm(unsigned seconds)
+{
+    alarm(seconds);
+}
+
+void handle_failed_mapping(SignalHandler handler)
+{
+    handle(SIGBUS, handler);
+}
+
+void write_to_standard_error(const char* text, std::size_t size) noexcept
+{
+    const auto written = write(STDERR_FILENO, text, size);
+    (void)written;
+}
+
+void end_process(int exit_code) noexcept
+{
+    _exit(exit_code);
+}
+
+bool standard_error_is_terminal() noexcept
+{
+    return isatty(STDERR_FILENO) != 0;
+}
+
+void prepare_process()
+{
+    constexpr int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(descriptor, F_GETFD) < 0)
+            (void)open("/dev/null", modes[descriptor]); // gets the lowest free number: this one
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+} // namespace multipath
+
+#endif
