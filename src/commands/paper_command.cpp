@@ -7,6 +7,7 @@
 #include "cli/version.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
+#include "commands/paper_steps.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/tessellation.h"
 #include "study/paper_report.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// The reproduction of the paper (Castro, Martinez, Sbert 1998): the commands that compute the tables and figures of the
-// paper, the results of these commands, and the report.
+// The reproduction of the paper (Castro, Martinez, Sbert 1998): the results of the commands that compute its tables and
+// figures (commands/paper_steps.h), and the report.
 
 #include "check/scene_report.h"
 #include "study/curve.h"
@@ -58,23 +58,6 @@ std::string report_html(const Report& report, const std::string& folder, const s
 
 /// Formats the report as Markdown. The comments are at its end.
 std::string report_markdown(const Report& report, const std::vector<std::string>& comments);
-
-/// One command of the reproduction.
-struct PaperStep
-{
-    /// Words of the command line from the name of the command on, without outputs and without options that do not
-    /// change the result.
-    std::vector<std::string> words;
-    std::vector<std::string> outputs; ///< names of the files that the command makes, without a folder
-};
-
-/// The command line as a user would type it, from "multipath" on, with one `-o` for each output. Words are not quoted.
-std::string typed(const PaperStep& step);
-
-/// The commands for all tables and figures of the paper, and for the results beyond it, in the order in which they must
-/// be run: a later step may read a file that an earlier one has written into `folder`. `scenes` is the folder of the
-/// bundled scenes. The quick set differs from the full one only in the numbers of lines and executions.
-std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder);
 
 // Numbers printed in the paper, for comparison with those of the program.
 

@@ -4,6 +4,7 @@
 #include "study/paper_report.h"
 
 #include "base/errors.h"
+#include "commands/paper_steps.h"
 #include "scene/scratch_folder.h"
 
 #include <algorithm>

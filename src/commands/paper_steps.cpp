@@ -1,4 +1,4 @@
-#include "study/paper_report.h"
+#include "commands/paper_steps.h"
 
 #include <sstream>
 
