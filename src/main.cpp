@@ -11,6 +11,7 @@
 #include "cli/options/help_text.h"
 #include "cli/version.h"
 #include "commands/commands.h"
+#include "commands/options/scene_options.h"
 #include "parallel/instruction_set.h"
 
 #include <algorithm>
@@ -43,7 +44,12 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
         print(help_text(command.table));
         return exit_done;
     }
-    return command.run(line);
+    try {
+        return command.run(line);
+    } catch (InputError& error) {
+        error.append(advice_text(error.advice));
+        throw;
+    }
 }
 
 int out_of_memory()

@@ -39,7 +39,7 @@ for suite in $suites; do
     processes="$processes $!"
 done
 long="limits tolerance memory interrupt page install mini selftest"
-all="$long solve torture state study provenance compare include_order_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p')"
+all="$long solve torture state study provenance compare include_order_test option_names_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p')"
 case $4 in
 long) wanted=$long ;;
 quick) wanted=$all LEAVE_OUT="$LEAVE_OUT $long" ;;

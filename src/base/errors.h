@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -13,12 +15,31 @@ constexpr int exit_interrupted = 130;
 
 // Errors that end in a message to the user: one plain line.
 
+/// What the user can change to avoid a problem with a scene. Only the commands know by which options: remedy_options in
+/// commands/options/scene_options.cpp, in the same order.
+enum class Remedy { patch_size, two_sided, flip, lamp, sky, sun, reflectance_limit, emission_from };
+
+/// A remedy that an error or a finding proposes. The commands add it to the message, with its option.
+struct Advice
+{
+    Remedy remedy;
+    std::string value = "";  ///< such as "0.9" for a limit; empty: there is none, or it depends on what the user wants
+    std::string effect = ""; ///< predicate such as "gives every face a back"; empty if the message says it
+};
+
 /// An error in what the user supplied (exit code 1). For an error in a file the message is "file:line: what is wrong,
 /// what was expected", without the line if the file as a whole is meant.
 class InputError : public std::runtime_error
 {
 public:
-    explicit InputError(const std::string& message) : std::runtime_error(message) {}
+    explicit InputError(const std::string& message, std::vector<Advice> remedies = {})
+        : std::runtime_error(message), advice(std::move(remedies))
+    {
+    }
+
+    void append(const std::string& text) { std::runtime_error::operator=(std::runtime_error(what() + text)); }
+
+    std::vector<Advice> advice; ///< not yet in the message
 };
 
 /// An error in the options (exit code 2): they do not suit a scene whose file is valid. Unlike an error in the command

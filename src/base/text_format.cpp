@@ -133,9 +133,4 @@ std::string shell_word(std::string_view text)
     return quoted + "'";
 }
 
-std::string option_text(std::string_view name, std::string_view value)
-{
-    return " --" + std::string(name) + (value.substr(0, 2) == "--" ? "=" : " ") + shell_word(value);
-}
-
 } // namespace multipath

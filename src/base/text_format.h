@@ -31,9 +31,6 @@ std::string counted(std::size_t count, const std::string& noun);
 /// are put in '...', or in $'...' (POSIX 2024) with octal escapes if they contain control characters.
 std::string shell_word(std::string_view text);
 
-/// " --name value", or " --name=value" if the value begins with "--". The value is quoted for a shell.
-std::string option_text(std::string_view name, std::string_view value);
-
 /// The length [bytes] of the UTF-8 character at the beginning of a text (RFC 3629); 0 if the text is empty or does not
 /// begin with a complete, valid character.
 std::size_t utf8_character_size(std::string_view text);

@@ -109,6 +109,8 @@ constexpr double share_that_matters = 0.005;
 
 constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller losses are not reported
 
+const std::vector<Advice> turn_all = {{Remedy::flip, "", "turns all faces over"}};
+
 bool emits(const Scene& scene, std::uint32_t surface)
 {
     return mean(scene.surface_material(surface).emittance) > 0.0;
@@ -167,17 +169,18 @@ private:
                                  1.0});
     }
 
-    void add_note(const char* kind, const std::string& place, const std::string& message)
+    void add_note(const char* kind, const std::string& place, const std::string& message,
+                  const std::vector<Advice>& advice = {})
     {
-        findings_.push_back({kind, false, place, message});
+        findings_.push_back({kind, false, place, message, 0.0, 0.0, advice});
     }
 
     /// Adds a finding that makes the result wrong if one of the shares reaches share_that_matters.
     void add_weighed(const char* kind, const std::string& place, const std::string& message, double power_share,
-                     double area_share)
+                     double area_share, const std::vector<Advice>& advice = {})
     {
         const bool wrong = std::max(power_share, area_share) >= share_that_matters;
-        findings_.push_back({kind, wrong, place, message, power_share, area_share});
+        findings_.push_back({kind, wrong, place, message, power_share, area_share, advice});
     }
 
     std::string place_of(std::uint32_t surface) const { return file_.path + ":" + std::to_string(file_.line[surface]); }
@@ -245,10 +248,10 @@ private:
                          : counted(idle.size(), "emitter") + " light nothing, first " + name_of(idle[0])) +
                         format(" (%.3g %% of the source power): ", 100.0 * part) + (one ? "it faces" : "they face") +
                         " away from everything; " +
-                        (inside_out ? "the scene is inside out, --flip turns all its faces over"
+                        (inside_out ? "the scene is inside out"
                          : one      ? "reverse the order of its corners"
                                     : "reverse the order of their corners"),
-                    part, 0.0);
+                    part, 0.0, inside_out ? turn_all : std::vector<Advice>{});
     }
 
     void lost_behind()
@@ -259,13 +262,16 @@ private:
         const std::string surfaces =
             format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
             largest(report_.survey.met_behind);
-        const std::string advice =
-            "; reverse these faces if they look the wrong way" +
-            std::string(is_inside_out(scene_, report_.survey) ? " (--flip turns all faces over)" : "") +
-            ", close the solids that they belong to (a box on the floor needs its bottom, a lamp its back), or use "
-            "--two-sided";
-        add_weighed("behind", place_of(most_counted(report_.survey.met_behind)),
-                    surfaces + (lost < share_that_matters ? ", too little to matter" : advice), lost, 0.0);
+        const std::string place = place_of(most_counted(report_.survey.met_behind));
+        if (lost < share_that_matters)
+            return add_weighed("behind", place, surfaces + ", too little to matter", lost, 0.0);
+        std::vector<Advice> advice = is_inside_out(scene_, report_.survey) ? turn_all : std::vector<Advice>{};
+        advice.push_back({Remedy::two_sided, "", "gives every face a back"});
+        add_weighed("behind", place,
+                    surfaces +
+                        "; reverse these faces if they look the wrong way, or close the solids that they belong to "
+                        "(a box on the floor needs its bottom, a lamp its back)",
+                    lost, 0.0, advice);
     }
 
     void escaping()
@@ -459,11 +465,11 @@ private:
         const double finer = one_digit(diagonal / 50.0);
         const double sides = scene_.two_sided() ? 2.0 : 1.0;
         add_note("coarse-patches", file_.path,
-                 format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows; "
-                        "--patch-size %g gives %s patches instead of %s",
-                        longest, 100.0 * longest / diagonal, finer,
-                        grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))).c_str(),
-                        grouped(scene_.patch_count()).c_str()));
+                 format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows", longest,
+                        100.0 * longest / diagonal),
+                 {{Remedy::patch_size, format("%g", finer),
+                   "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
+                       " patches instead of " + grouped(scene_.patch_count())}});
     }
 
     /// Reports patches that reach below partitions: those of surfaces that cut_at_partitions() left whole.

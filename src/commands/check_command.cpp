@@ -147,8 +147,8 @@ std::string report_text(const Scene& scene, const SceneReport& report, const std
     text += "\nfigures:\n" + figures_text(scene, report);
     text += findings.empty() ? "\nnothing suspicious found\n" : "\nfindings:\n";
     for (const Finding& finding : findings)
-        text +=
-            (finding.makes_wrong_result ? "  WRONG  " : "  note   ") + finding.place + ": " + finding.message + "\n";
+        text += (finding.makes_wrong_result ? "  WRONG  " : "  note   ") + finding.place + ": " + finding.message +
+                advice_text(finding.advice) + "\n";
     return text;
 }
 
@@ -200,7 +200,7 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
         object.text("kind", finding.kind);
         object.boolean("makes_wrong_result", finding.makes_wrong_result);
         object.text("place", finding.place);
-        object.text("message", finding.message);
+        object.text("message", finding.message + advice_text(finding.advice));
         object.number("power_share", finding.power_share);
         object.number("area_share", finding.area_share);
         finding_list.push_back(object);
@@ -219,7 +219,8 @@ std::string dark_text(const DarkScene& dark)
 {
     std::string text = dark.scene->path + ": no emitter; approximate power that would arrive on fronts with\n";
     for (const LightYield& yield : light_yields(dark.candidates, *dark.scene))
-        text += format(" %-39s %12s%s\n", yield.option.c_str(), power_text(yield.arriving, *dark.scene).c_str(),
+        text += format(" %-39s %12s%s\n", option_text(yield.advice).c_str(),
+                       power_text(yield.arriving, *dark.scene).c_str(),
                        std::isfinite(yield.emitted) ? (" of " + power_text(yield.emitted, *dark.scene)).c_str() : "");
     return text;
 }
@@ -229,7 +230,7 @@ JsonObject dark_json(const DarkScene& dark)
     std::vector<JsonObject> lights;
     for (const LightYield& yield : light_yields(dark.candidates, *dark.scene))
         lights.push_back(JsonObject()
-                             .text("option", yield.option.substr(1))
+                             .text("option", option_text(yield.advice).substr(1))
                              .number("emitted_w", yield.emitted)
                              .number("arriving_w", yield.arriving));
     return JsonObject().text("scene", dark.scene->path).text("error", dark.what()).objects("lights", lights);

@@ -178,7 +178,7 @@ void StateReader::require_version() const
 {
     const std::string_view start(bytes_.data(), std::min(bytes_.size(), state_header.size()));
     if (start.substr(0, state_kind.size()) != state_kind)
-        refuse("not a state of multipath; expected a file that --state or -o FILE.state wrote");
+        refuse("not a state of multipath; expected a file such as room.state that 'multipath solve' wrote");
     if (start.size() == state_header.size() && start != state_header)
         refuse("written by a newer version of multipath (format " +
                std::string(

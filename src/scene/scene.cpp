@@ -180,7 +180,8 @@ void Scene::number_cells()
     constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
     if (patches >= patch_limit)
         throw SettingsError(file_->path + ": this patch size gives " + std::to_string(patches) +
-                            " patches; expected fewer than 2^31; choose a larger one with --patch-size");
+                                " patches; expected fewer than 2^31",
+                            {{Remedy::patch_size, "", "sets a larger one"}});
     cell_count_ = static_cast<std::uint32_t>(cells);
     patch_count_ = static_cast<std::uint32_t>(patches);
     first_cell_.clear();

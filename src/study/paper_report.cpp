@@ -423,7 +423,7 @@ private:
              "come between two that meet the same one, the larger the error, and the earlier the curve flattens; large "
              "bases, whose digits change slowly, suffer most. It is a bias of the walk, not a matter of discrepancy: "
              "with the same lines in shuffled order it is gone, and all sequences have nearly the same slope. "
-             "`multipath` shuffles unless told otherwise (`--line-order sequence`).");
+             "`multipath` shuffles unless told otherwise (line order `sequence`).");
     }
 
     ReportTable shot_table() const

@@ -35,6 +35,12 @@ bool mentions(const Finding& finding, const std::string& words)
     return finding.message.find(words) != std::string::npos;
 }
 
+bool advises(const Finding& finding, Remedy remedy)
+{
+    return std::any_of(finding.advice.begin(), finding.advice.end(),
+                       [&](const Advice& advice) { return advice.remedy == remedy; });
+}
+
 struct Materials
 {
     SceneBuilder builder;
@@ -125,8 +131,8 @@ TEST_CASE("a room whose faces look outward is inside out, a lamp above the ceili
     m.builder.rectangle({0.5, 1.9, 0.5}, {0, 0, 1}, {1, 0, 0}, m.lamp); // looks up, as a lamp in a mirrored room
     const Scene outward = m.builder.scene(0.5);
     CHECK(is_inside_out(outward, survey_lines(outward, scene_hull(outward), 20000, 2)));
-    CHECK(mentions(find(findings_of(outward), "behind"), "--flip"));
-    CHECK(mentions(find(findings_of(outward), "emitter"), "--flip"));
+    CHECK(advises(find(findings_of(outward), "behind"), Remedy::flip));
+    CHECK(advises(find(findings_of(outward), "emitter"), Remedy::flip));
 
     // A lamp that is a solid is right as it is: with its faces turned it would light its own inside.
     Materials lamp_inside;
@@ -134,7 +140,8 @@ TEST_CASE("a room whose faces look outward is inside out, a lamp above the ceili
     lamp_inside.builder.box({0.5, 1.5, 0.5}, {1, 1.6, 1}, lamp_inside.lamp);
     const Scene solid_lamp = lamp_inside.builder.scene(0.5);
     CHECK_FALSE(is_inside_out(solid_lamp, survey_lines(solid_lamp, scene_hull(solid_lamp), 20000, 2)));
-    CHECK(mentions(find(findings_of(solid_lamp), "behind"), "--two-sided"));
+    CHECK(advises(find(findings_of(solid_lamp), "behind"), Remedy::two_sided));
+    CHECK_FALSE(advises(find(findings_of(solid_lamp), "behind"), Remedy::flip));
 
     const Scene turned(flipped(m.builder.file()), 0.5);
     CHECK_FALSE(is_inside_out(turned, survey_lines(turned, scene_hull(turned), 20000, 2)));
@@ -166,9 +173,10 @@ TEST_CASE("walls left uncut for many small triangles are pointed out, unless the
         m.builder.triangle({x, 0.5, 1}, {x, 0.5, 1.0003}, {x + 0.0003, 0.5, 1}, m.wall);
     }
     const double size = default_patch_size(m.builder.file().surfaces);
-    CHECK(mentions(find(findings_of(m.builder.scene(size)), "coarse-patches"), "--patch-size"));
+    CHECK(advises(find(findings_of(m.builder.scene(size)), "coarse-patches"), Remedy::patch_size));
     const auto advised_patches = [&](bool two_sided) {
-        std::string text = find(findings_of(Scene(m.builder.file(), size, two_sided)), "coarse-patches").message;
+        std::string text =
+            find(findings_of(Scene(m.builder.file(), size, two_sided)), "coarse-patches").advice.at(0).effect;
         text.erase(std::remove(text.begin(), text.end(), ','), text.end());
         return std::strtod(text.c_str() + text.find("gives ") + 6, nullptr);
     };

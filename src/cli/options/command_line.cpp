@@ -1,6 +1,7 @@
 #include "cli/options/command_line.h"
 
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/options/choices.h"
 
 #include <algorithm>
@@ -202,6 +203,12 @@ const Option* find_option(const CommandTable& table, std::string_view name)
             if (option.name == name)
                 return &option;
     return nullptr;
+}
+
+std::string option_text(std::string_view name, std::string_view value)
+{
+    return " --" + std::string(name) +
+           (value.empty() ? "" : (value.substr(0, 2) == "--" ? "=" : " ") + shell_word(value));
 }
 
 CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table)

@@ -76,6 +76,9 @@ OptionGroup without_options(OptionGroup group, const std::vector<std::string>& n
 /// The option with this long name; nullptr if the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
 
+/// " --name value", quoted for a shell; " --name=value" if the value begins with "--", and " --name" if it is empty.
+std::string option_text(std::string_view name, std::string_view value);
+
 /// A word that an option allows, and the value that it stands for. For an array of such rows, or of any rows with a
 /// `name`, names_of() returns the choices of the option, and CommandLine::choice() the row that the user chose.
 template <typename Value>

@@ -35,6 +35,10 @@ constexpr std::array<NamedValue<double>, 5> unit_choices = {
 
 constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"lux", true}}};
 
+/// The options of the remedies, in the order of Remedy.
+constexpr std::array<std::string_view, 8> remedy_options = {
+    "patch-size", "two-sided", "flip", "lamp", "sky", "sun", "reflectance-limit", "emission-from"};
+
 /// The path of a scene: the name itself if such a file exists; for a name without folder, with or without `.obj`,
 /// otherwise the bundled scene of that name. If there is none, returns the name, so that the error message of the
 /// reader quotes it.
@@ -102,6 +106,19 @@ OptionGroup scene_option_group()
           names_of(emission_choices)}}};
 }
 
+std::string option_text(const Advice& advice)
+{
+    return option_text(remedy_options.at(static_cast<std::size_t>(advice.remedy)), advice.value);
+}
+
+std::string advice_text(const std::vector<Advice>& list)
+{
+    std::string text;
+    for (const Advice& advice : list)
+        text += ";" + option_text(advice) + (advice.effect.empty() ? "" : " ") + advice.effect;
+    return text;
+}
+
 namespace {
 
 /// Reads a power per area [W/m^2]: "10", or "10,8,6" for red, green and blue.
@@ -160,9 +177,25 @@ ObjChanges read_changes(const CommandLine& line)
     changes.lit_from_outside = line.has("sky") || line.has("sun");
     changes.unit = line.choice("unit", unit_choices).value;
     changes.reflectance_limit = read_real("--reflectance-limit", line.text("reflectance-limit"), 0.0, 1.0);
-    for (const GivenOption& option : reading_options(line))
-        changes.options += option.value.empty() ? " --" + option.name : option_text(option.name, option.value);
     return changes;
+}
+
+/// Reads the OBJ file. Where the error of a faulty scene has advice, its message ends with a command that follows it.
+SceneFile read_file(const CommandLine& line, const std::string& path, EmissionFrom emission, const ObjChanges& changes)
+{
+    try {
+        return read_obj(path, emission, changes);
+    } catch (InputError& error) {
+        std::string options;
+        for (const Advice& advice : error.advice)
+            options += option_text(advice);
+        for (const GivenOption& option : reading_options(line))
+            options += option_text(option.name, option.value);
+        if (!error.advice.empty())
+            error.append(": multipath solve " + shell_word((path[0] == '-' ? "./" : "") + path) + options);
+        error.advice.clear();
+        throw;
+    }
 }
 
 /// The scene with the surfaces turned over that look away from its light, and with a warning of it.
@@ -217,7 +250,7 @@ Scene read_scene(const CommandLine& line, int threads)
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
-    SceneFile file = read_obj(path, emission, changes);
+    SceneFile file = read_file(line, path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
     constexpr bool either_side = true; // which way surfaces face is decided when their light is known

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/errors.h"
 #include "cli/options/command_line.h"
 #include "scene/scene.h"
 
@@ -11,6 +12,12 @@ namespace multipath {
 
 /// The options of every command that reads an OBJ scene.
 OptionGroup scene_option_group();
+
+/// The option that applies a remedy, after a space and quoted for a shell: " --lamp 'desk lamp=10'".
+std::string option_text(const Advice& advice);
+
+/// Clauses to end a message: "; --flip turns all faces over; --two-sided gives every face a back".
+std::string advice_text(const std::vector<Advice>& list);
 
 /// Path of the scene file that the first operand names: the file itself, or else the bundled scene of that name. If
 /// neither exists, the operand unchanged.

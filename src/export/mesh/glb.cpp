@@ -73,7 +73,7 @@ std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, c
     content.comments = comments;
     content.scale = scale;
     content.up = up;
-    content.instead = "a PLY or OBJ, or a larger --patch-size";
+    content.instead = "a PLY or OBJ, or larger patches";
     return gltf_bytes(mesh, scene, content);
 }
 

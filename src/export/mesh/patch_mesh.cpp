@@ -429,8 +429,8 @@ private:
         if (latest != none && mesh_.radiosity[latest] == radiosity && (!error_ || mesh_.error[latest] == error))
             return latest;
         if (mesh_.positions.size() == std::numeric_limits<std::int32_t>::max())
-            throw InputError(scene_.path() + ": too many patches for a mesh, which has less than 2^31 vertices; choose "
-                                             "larger ones with --patch-size");
+            throw InputError(scene_.path() + ": too many patches for a mesh, which has less than 2^31 vertices",
+                             {{Remedy::patch_size, "", "makes them larger"}});
         latest = static_cast<std::uint32_t>(mesh_.positions.size());
         mesh_.positions.push_back(
             single(scene_.surfaces()[surface].at(static_cast<double>(point.i) / tessellation.grid_u(),

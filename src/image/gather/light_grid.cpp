@@ -88,7 +88,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
     const double columns = std::max(1.0, std::ceil((x.high - x.low) / plan.step - 1e-9));
     const double rows = std::max(1.0, std::ceil((y.high - y.low) / plan.step - 1e-9));
     if (!(columns * rows <= most_points))
-        throw SettingsError("--grid: gives more than a million points; expected a larger step");
+        throw SettingsError("the grid has more than a million points; expected a larger step");
     const double hair = 1e-6 * scene.own_bounds().diagonal();
     LightGrid grid;
     std::vector<Vec3> places; // of the points
@@ -106,7 +106,7 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
             }
         }
     if (grid.points.empty())
-        throw SettingsError("--grid: no point lies above a surface at this height; expected one within the scene");
+        throw SettingsError("no point lies above a surface at the height of the grid; expected one within the scene");
     const SourceLight sources(scene);
     const IndirectLight indirect(scene, radiosity, rays, threads);
     parallel_ranges(static_cast<std::uint32_t>(grid.points.size()), 16, threads,

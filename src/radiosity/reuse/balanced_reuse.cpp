@@ -416,7 +416,7 @@ private:
         parts_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(bytes_per_ray * rays / bytes)));
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
-                             "shared; expected more --memory, or no --shard");
+                             "shared; expected more memory, or no shards");
         const auto loses = [](const SparseExchange::LossCounts& first) { return first.lost() > 0.0; };
         if (parts_ > 1 || std::any_of(first_losses_.begin(), first_losses_.end(), loses))
             give_all_some(hemisphere);

@@ -69,7 +69,7 @@ bool carried_by_particles(Run& run)
         return false;
     if (run.shard.of > 1)
         throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
-                                               "expected more --lines, or no --shard");
+                                               "expected more lines, or no shards");
     particles(run);
     return true;
 }

@@ -248,7 +248,7 @@ Solution solve_incrementally(const Scene& scene, const SolveOptions& options, in
                                 [&](Archive& archive) { record.visit(archive, scene.patch_count()); });
     if (record.lines > options.lines || record.goal > options.lines)
         throw InputError("the run has " + std::to_string(std::max(record.lines, record.goal)) +
-                         " lines already; expected --lines to be no fewer");
+                         " lines already; expected no fewer");
     while (record.lines < options.lines) {
         if (record.goal == 0)
             record.goal = options.lines;

@@ -115,8 +115,8 @@ void require_absorption(const Scene& scene)
     if (!patch)
         return;
     throw InputError(scene.path() + ": light is trapped among surfaces that reflect all of it, such as `" +
-                     scene.material_of(*patch).name +
-                     "`, and has no bound; expected Kd below 1 there, such as by --reflectance-limit 0.9");
+                         scene.material_of(*patch).name + "`, and has no bound; expected Kd below 1 there",
+                     {{Remedy::reflectance_limit, "0.9", "lowers it"}});
 }
 
 } // namespace multipath

@@ -50,7 +50,7 @@ std::vector<LampCandidate> candidates_by_name(const ObjMesh& mesh, const SceneFi
         "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
     const std::vector<double> of_materials = areas_of(scene, scene.material, mesh.materials.size());
     const std::vector<double> of_groups = areas_of(scene, scene.group, mesh.groups.size());
-    std::vector<std::string> materials; // --lamp prefers a material of the name
+    std::vector<std::string> materials; // a lamp is first looked for among these
     for (const ObjName& material : mesh.materials)
         materials.push_back(name_of_material(material));
     std::vector<LampCandidate> result;
@@ -178,22 +178,15 @@ constexpr double azimuth = 150.0;
 constexpr double elevation = 40.0;
 constexpr double sun_irradiance = 20.0; // [W/m^2]
 
+const Advice sky_advice = {Remedy::sky, format("%g", advised_emittance)};
+const Advice sun_advice = {Remedy::sun, format("%g,%g,%g", azimuth, elevation, sun_irradiance)};
+
+Advice lamp_advice(const std::string& name)
+{
+    return {Remedy::lamp, name + format("=%g", advised_emittance)};
+}
+
 } // namespace
-
-std::string lamp_option(const std::string& name)
-{
-    return option_text("lamp", name + format("=%g", advised_emittance));
-}
-
-std::string sky_option()
-{
-    return option_text("sky", format("%g", advised_emittance));
-}
-
-std::string sun_option()
-{
-    return option_text("sun", format("%g,%g,%g", azimuth, elevation, sun_irradiance));
-}
 
 LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene)
 {
@@ -230,6 +223,7 @@ LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& sce
             result.lit_share = open;
         }
     }
+    result.advice = result.lamp.empty() ? std::vector{sky_advice, sun_advice} : std::vector{lamp_advice(result.lamp)};
     result.others.erase(std::remove(result.others.begin(), result.others.end(), result.lamp), result.others.end());
     return result;
 }
@@ -245,16 +239,16 @@ std::vector<LightYield> light_yields(const LampCandidates& candidates, const Sce
     std::vector<LightYield> yields;
     for (const LampCandidate& lamp : lamps) {
         const double power = advised_emittance * lamp.area;
-        yields.push_back({lamp_option(lamp.name), power, power * lit_share(scene, lamp)});
+        yields.push_back({lamp_advice(lamp.name), power, power * lit_share(scene, lamp)});
     }
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const Intersector intersector(scene.surfaces);
     double area = 0.0;
     for (const Surface& surface : scene.surfaces)
         area += surface.area();
-    yields.push_back({sky_option(), unknown, advised_emittance * area * open_share(scene, intersector)});
+    yields.push_back({sky_advice, unknown, advised_emittance * area * open_share(scene, intersector)});
     const Sun sun = sun_at(azimuth, elevation, {0.0, 1.0, 0.0}, {sun_irradiance, sun_irradiance, sun_irradiance});
-    yields.push_back({sun_option(), unknown, sun_irradiance * sunlit_area(scene, intersector, sun.direction)});
+    yields.push_back({sun_advice, unknown, sun_irradiance * sunlit_area(scene, intersector, sun.direction)});
     return yields;
 }
 

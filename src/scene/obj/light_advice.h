@@ -15,7 +15,7 @@ namespace multipath {
 /// A material or object that could be made a lamp.
 struct LampCandidate
 {
-    std::string name;     ///< as --lamp takes it; "default" for faces without a material
+    std::string name;     ///< as ObjChanges::Lamp takes it; "default" for faces without a material
     bool is_group;        ///< true for an object or group, false for a material
     std::uint32_t number; ///< index into ObjMesh::groups or ObjMesh::materials
     double area;          ///< [m^2] area of all its surfaces
@@ -34,15 +34,10 @@ LampCandidates lamp_candidates(const ObjMesh& mesh, const SceneFile& scene);
 
 constexpr double advised_emittance = 10.0; ///< [W/m^2] of proposed lamps and skies
 
-/// Options for a command line, quoted for a shell and preceded by a space: a lamp of the material or object `name`, a
-/// sky, and a sun in the south-south-east.
-std::string lamp_option(const std::string& name);
-std::string sky_option();
-std::string sun_option();
-
 /// A proposal how to light a scene that has no light.
 struct LightAdvice
 {
+    std::vector<Advice> advice;      ///< a lamp, or a sky and a sun in the south-south-east
     std::string lamp;                ///< material or object to be made a lamp; empty: use a sky
     double lamp_area = 0.0;          ///< [m^2] area of the surfaces of the lamp; without meaning for a sky
     std::vector<std::string> others; ///< the other names in LampCandidates::by_name, the most likely first
@@ -55,25 +50,25 @@ struct LightAdvice
 /// the first whose lit_share is at least 5 %; if there is none, the one with the largest share.
 LightAdvice advised_light(const LampCandidates& candidates, const SceneFile& scene);
 
-/// An option that lights a scene, with estimates of the light.
+/// A way to light a scene, with estimates of the light.
 struct LightYield
 {
-    std::string option; ///< quoted for a shell, preceded by a space
-    double emitted;     ///< [W]; NaN for a sky or sun
-    double arriving;    ///< [W] that reaches fronts directly, before any reflection
+    Advice advice;
+    double emitted;  ///< [W]; NaN for a sky or sun
+    double arriving; ///< [W] that reaches fronts directly, before any reflection
 };
 
 /// The yields of up to 12 lamps (the candidates by name, then the largest materials), followed by those of a sky and a
 /// sun.
 std::vector<LightYield> light_yields(const LampCandidates& candidates, const SceneFile& scene);
 
-/// Thrown for a scene without emitters. The message proposes a command that lights it. `candidates` and `scene` are the
-/// arguments for light_yields().
+/// Thrown for a scene without emitters. The advice lights it. `candidates` and `scene` are the arguments for
+/// light_yields().
 class DarkScene : public InputError
 {
 public:
-    DarkScene(const std::string& message, LampCandidates lamps, const SceneFile& file)
-        : InputError(message), candidates(std::move(lamps)), scene(std::make_shared<const SceneFile>(file))
+    DarkScene(const InputError& error, LampCandidates lamps, const SceneFile& file)
+        : InputError(error), candidates(std::move(lamps)), scene(std::make_shared<const SceneFile>(file))
     {
     }
 

@@ -37,7 +37,7 @@ std::string names_in(const ObjMesh& mesh)
 }
 
 /// Throws SettingsError if no material or group has the name, or no face.
-NamedFaces faces_named(const std::string& option, const std::string& name, const ObjMesh& mesh)
+NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
 {
     bool any = false;
     const auto are_named = [&](const auto& list, const auto& name_of) {
@@ -56,20 +56,20 @@ NamedFaces faces_named(const std::string& option, const std::string& name, const
     }
     if (any) {
         if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); }))
-            throw SettingsError(mesh.path + ": " + option + ": `" + name +
+            throw SettingsError(mesh.path + ": `" + name +
                                 "` has no faces, or all of them are ignored; "
                                 "expected a name that has faces");
         return found;
     }
     if (const std::string plain(name_in(name)); plain != name)
-        return faces_named(option, plain, mesh);
-    throw SettingsError(mesh.path + ": " + option + ": no material or object is called `" + name +
-                        "`, expected one of " + names_in(mesh));
+        return faces_named(plain, mesh);
+    throw SettingsError(mesh.path + ": no material or object is called `" + name + "`, expected one of " +
+                        names_in(mesh));
 }
 
 void leave_out(const std::string& name, ObjMesh& mesh)
 {
-    const NamedFaces out = faces_named("--ignore", name, mesh);
+    const NamedFaces out = faces_named(name, mesh);
     std::size_t corner = 0;
     std::size_t kept_corners = 0;
     std::size_t kept = 0;
@@ -90,12 +90,12 @@ void leave_out(const std::string& name, ObjMesh& mesh)
     mesh.corner_points.resize(std::min(mesh.corner_points.size(), kept_corners));
     mesh.faces.resize(kept);
     if (mesh.faces.empty())
-        throw SettingsError(mesh.path + ": --ignore: no face is left, expected names that leave some faces");
+        throw SettingsError(mesh.path + ": no face is left, expected ignored names that leave some faces");
 }
 
 void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMaterial>& lamps)
 {
-    const NamedFaces lit = faces_named("--lamp", lamp.name, mesh);
+    const NamedFaces lit = faces_named(lamp.name, mesh);
     for (std::uint32_t k = 0; k < lit.materials.size(); ++k)
         if (lit.materials[k])
             lamps.push_back({k, lamp.emittance, ""});

@@ -25,8 +25,6 @@ struct ObjChanges
     double reflectance_limit = 1.0;
     double unit = 1.0;             ///< [m] unit of the file's coordinates
     bool lit_from_outside = false; ///< a sky or sun is added, so no emitter is needed
-    /// The user's scene options, each after a space (" --ignore glass"), for commands that messages suggest.
-    std::string options = {};
 };
 
 /// A material of a mesh that an ObjChanges::Lamp turned into an emitter.

@@ -1,7 +1,7 @@
 // From text to surfaces: parse_obj() parses the file, and apply() makes the changes of the user. cut_into_pieces() cuts
 // polygons into triangles and parallelograms, merge_triangles() rejoins rectangles that the exporter cut, and cut_out()
 // removes what is transparent. The MTL files give the materials, and add_textures() reads their images. In the end
-// require_physics() refuses a scene that has no meaningful result, and suggests a command that works.
+// require_physics() refuses a scene that has no meaningful result, and advises what helps.
 
 #include "scene/obj/obj_reader.h"
 
@@ -324,14 +324,14 @@ bool nothing_absorbs(const UsedMaterials& materials, const ObjMesh& mesh, const 
     return is_interior(surfaces) && is_closed(mesh);
 }
 
-/// Throws InputError for a scene that would give no result, or a wrong one; the message ends with a command that avoids
-/// all the problems found.
+/// Throws InputError for a scene that would give no result, or a wrong one. The advice avoids all the problems found;
+/// the message ends with what it is for ("to lower it").
 void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& mesh, const SceneFile& scene,
                      const std::vector<std::string>& missing_files, const std::vector<std::string>& unread_textures,
-                     EmissionFrom emission_from, const ObjChanges& changes)
+                     EmissionFrom emission_from)
 {
     std::vector<std::string> problems;
-    std::string options;
+    std::vector<Advice> advice;
     LampCandidates candidates;
     const auto too_bright = std::find_if(materials.used.begin(), materials.used.end(),
                                          [](const MtlMaterial& m) { return !m.flaw.empty(); });
@@ -346,14 +346,14 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
     // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
     const bool may_trap = !names_where(materials.used, reflects_everything).empty();
     if (!problems.empty() || (!lit && may_trap))
-        options += " --reflectance-limit 0.9";
+        advice.push_back({Remedy::reflectance_limit, "0.9"});
     if (!lit) {
         candidates = lamp_candidates(mesh, scene);
         problems.push_back(explain_darkness(materials, mesh, missing_files, emission_from));
         const std::vector<std::string> by_ambient = lamps_by_ambient(materials.used);
         if (emission_from == EmissionFrom::ke && !by_ambient.empty()) {
             problems.push_back("to read lamps from Ka (" + some_names(by_ambient) + ")");
-            options += " --emission-from Ka";
+            advice.push_back({Remedy::emission_from, "Ka"});
         } else {
             const LightAdvice light = advised_light(candidates, scene);
             const bool sky = light.lamp.empty();
@@ -365,18 +365,16 @@ void require_physics(const UsedMaterials& materials, bool lit, const ObjMesh& me
                      : "to make a lamp of material or object " + in_quotes(light.lamp) +
                            format(" (%.3g m^2, so %.3g W)", light.lamp_area, advised_emittance * light.lamp_area)) +
                 others);
-            options += sky ? sky_option() + sun_option() : lamp_option(light.lamp);
+            advice.insert(advice.end(), light.advice.begin(), light.advice.end());
         }
     }
     if (problems.empty())
         return;
-    options += changes.options;
-    const std::string text = join(problems, "; ") + (lit ? "; to lower it" : "") + ": multipath solve " +
-                             shell_word((mesh.path[0] == '-' ? "./" : "") + mesh.path) + options;
+    const std::string text = join(problems, "; ") + (lit ? "; to lower it" : "");
     const std::string message = too_bright != materials.used.end() ? text : name_of({mesh.path, 0}) + ": " + text;
     if (!lit)
-        throw DarkScene(message, std::move(candidates), scene);
-    throw InputError(message);
+        throw DarkScene(InputError(message, std::move(advice)), std::move(candidates), scene);
+    throw InputError(message, std::move(advice));
 }
 
 void add_warning(std::vector<std::string>& warnings, const std::vector<MtlMaterial>& used,
@@ -397,7 +395,7 @@ std::vector<std::string> warnings_of_materials(const UsedMaterials& materials)
         "no Kd, so the material reflects nothing");
     add_warning(
         warnings, materials.used, [](const MtlMaterial& m) { return m.opacity < 1.0; },
-        "transparent by `d` or `Tr`, but all is opaque here, --ignore NAME leaves its faces out");
+        "transparent by `d` or `Tr`, but opaque here unless its faces are ignored");
     return warnings;
 }
 
@@ -510,7 +508,8 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     append(scene.warnings, std::move(list.warnings));
     if (!lowered.empty())
         scene.warnings.push_back(path +
-                                 ": reflectance lowered to the limit of --reflectance-limit: " + some_names(lowered));
+                                 format(": reflectance lowered to the limit of %g: ", changes.reflectance_limit) +
+                                 some_names(lowered));
     append(scene.warnings, std::move(cut.warnings));
     scene.materials = std::move(list.materials);
     scene.groups = mesh.groups;
@@ -526,7 +525,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     make_lamps(lamps, scene.materials);
     append(scene.warnings, warnings_of_materials(list.by_origin));
     require_physics(list.by_origin, changes.lit_from_outside || is_lit(scene.materials, materials_of(cut.pieces, mesh)),
-                    mesh, scene, libraries.missing, unread, emission_from, changes);
+                    mesh, scene, libraries.missing, unread, emission_from);
     for (const std::string& name : list.by_origin.unknown_names)
         if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
                 return material.name == name && material.texture == Material::no_texture &&

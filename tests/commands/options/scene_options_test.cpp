@@ -1,6 +1,8 @@
 #include "commands/options/scene_options.h"
 
 #include "commands/solve/accuracy.h"
+#include "scene/input_problem.h"
+#include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -45,6 +47,48 @@ TEST_CASE(
     CHECK(adaptive({"--adaptive", "900", "--two-sided"}) == 900);
     CHECK(patches({"--adaptive", "5964"}) == 6 * 18 * 18); // a third of the divisions, 5,958, beside the six surfaces
     CHECK(patches({"--adaptive", "11928", "--two-sided"}) == 2 * 6 * 18 * 18);
+}
+
+TEST_CASE("every remedy is a scene option that takes its value")
+{
+    const auto option = [](Remedy remedy, const std::string& value = "") {
+        const std::string text = option_text({remedy, value});
+        const std::size_t space = text.find(' ', 1);
+        std::vector<std::string> words = {"scenes/furnace.obj", text.substr(1, space - 1)};
+        if (space != std::string::npos)
+            words.push_back(text.substr(space + 1));
+        const CommandLine line({"check", "", {{"SCENE.obj"}}, {scene_option_group()}}, words); // throws if it is none
+        CHECK(line.text(words[1].substr(2)) == value);
+        return words[1];
+    };
+    CHECK(option(Remedy::patch_size, "0.2") == "--patch-size");
+    CHECK(option(Remedy::two_sided) == "--two-sided");
+    CHECK(option(Remedy::flip) == "--flip");
+    CHECK(option(Remedy::lamp, "ceiling=10") == "--lamp");
+    CHECK(option(Remedy::sky, "10") == "--sky");
+    CHECK(option(Remedy::sun, "150,40,20") == "--sun");
+    CHECK(option(Remedy::reflectance_limit, "0.9") == "--reflectance-limit");
+    CHECK(option(Remedy::emission_from, "Ka") == "--emission-from");
+}
+
+TEST_CASE("advice is given in clauses that begin with the option")
+{
+    CHECK(advice_text({}).empty());
+    CHECK(advice_text({{Remedy::flip, "", "turns all faces over"}, {Remedy::patch_size, "0.2", "gives 7 patches"}}) ==
+          "; --flip turns all faces over; --patch-size 0.2 gives 7 patches");
+    CHECK(advice_text({{Remedy::lamp, "desk lamp=10"}}) == "; --lamp 'desk lamp=10'");
+}
+
+TEST_CASE("the error of a scene without light ends with a command that lights it and keeps the user's options")
+{
+    const ScratchFolder folder;
+    const std::string path = folder.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                                      "o --shade\nf 1 2 3\no other\nf 1 2 4\n");
+    const CommandLine line({"solve", "", {{"SCENE.obj"}}, {scene_option_group()}},
+                           {path, "--unit", "mm", "--two-sided", "--ignore=--shade"});
+    const std::string problem = problem_of([&] { read_scene(line); });
+    CHECK(contains(problem, "to light it by sky and sun: multipath solve "));
+    CHECK(contains(problem, "dark.obj --sky 10 --sun 150,40,20 --two-sided --unit mm --ignore=--shade"));
 }
 
 } // namespace scene_options_test

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace obj_reader_test {
@@ -22,6 +23,8 @@ const std::string above = "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
 /// A closed unit cube, seen from inside.
 const std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                          "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+
+using Remedies = std::vector<std::pair<Remedy, std::string>>; ///< each with its value
 
 /// Files of one scene: room.obj and room.mtl.
 struct SceneText
@@ -38,9 +41,23 @@ struct SceneText
     {
         return problem_of([&] { read(from); });
     }
+    /// Those that the error of the scene advises.
+    Remedies remedies(const ObjChanges& changes = {}) const
+    {
+        Remedies result;
+        try {
+            read(EmissionFrom::ke, changes);
+        } catch (const InputError& error) {
+            for (const Advice& advice : error.advice)
+                result.emplace_back(advice.remedy, advice.value);
+        }
+        return result;
+    }
 
     ScratchFolder folder = {};
 };
+
+const Remedies daylight = {{Remedy::sky, "10"}, {Remedy::sun, "150,40,20"}};
 
 bool any_contains(const std::vector<std::string>& lines, const std::string& part)
 {
@@ -131,19 +148,19 @@ TEST_CASE("a lamp in Ka is found on request, and pointed out without")
 {
     const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\nusemtl wall\nf 4 3 2 1\n",
                          "newmtl lamp\nKa 20 10 5\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
-    CHECK(contains(text.problem(), "to read lamps from Ka (`lamp`): multipath solve "));
-    CHECK(contains(text.problem(), "room.obj --emission-from Ka"));
+    CHECK(contains(text.problem(), "to read lamps from Ka (`lamp`)"));
+    CHECK(text.remedies() == Remedies{{Remedy::emission_from, "Ka"}});
     const SceneFile scene = text.read(EmissionFrom::ka);
     CHECK(scene.materials[scene.material[0]].emittance == Rgb{20, 10, 5});
     CHECK(scene.materials[scene.material[1]].emittance == Rgb{});
 
     const SceneText everywhere{text.obj, "newmtl lamp\nKa 1 1 1\nKd 0.5\nnewmtl wall\nKa 1 1 1\nKd 0.5\n"};
-    CHECK_FALSE(contains(everywhere.problem(), "--emission-from"));
+    CHECK(everywhere.remedies() == daylight);
     // Ambient light of one material, as modellers leave it behind.
     const SceneText vault{text.obj, "newmtl lamp\nKa 0.7 0.7 0.6\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
-    CHECK_FALSE(contains(vault.problem(), "--emission-from"));
+    CHECK(vault.remedies() == daylight);
     const SceneText all_bright{text.obj, "newmtl lamp\nKa 2 2 2\nKd 0.5\nnewmtl wall\nKa 2 2 2\nKd 0.5\n"};
-    CHECK_FALSE(contains(all_bright.problem(), "--emission-from"));
+    CHECK(all_bright.remedies() == daylight);
 }
 
 // A surface that is only dropped faces emits nothing.
@@ -181,9 +198,9 @@ TEST_CASE("what is ignored is left out, and a name that the file does not have i
     const auto problem = [](const ObjChanges& changes) {
         return problem_of([&] { two_squares.read(EmissionFrom::ke, changes); });
     };
-    CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "--lamp: no material or object is called `pannel`"));
+    CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "room.obj: no material or object is called `pannel`"));
     CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "`paint`, `floor`, `panel`"));
-    CHECK(contains(problem({{}, {"spare"}}), "--ignore: no material or object is called `spare`"));
+    CHECK(contains(problem({{}, {"spare"}}), "room.obj: no material or object is called `spare`"));
     CHECK(contains(problem({{}, {"paint"}}), "no face is left"));
 }
 
@@ -198,13 +215,13 @@ TEST_CASE("the error of a file without lamps names one by its name, or else the 
 {
     const std::string materials = "newmtl paint\nKd 0.5\nnewmtl cloth\nKd 0.5\n";
     const std::string named = "o Desk Lamp's shade";
-    const std::string lamp = "--lamp 'Desk Lamp'\\''s shade=10'";
     const std::string sky = "to light it by sky and sun";
-    CHECK(contains(SceneText{floor_and_panel(named, true), materials}.problem(), lamp));
-    const std::string useless = SceneText{floor_and_panel(named, false), materials}.problem();
-    CHECK(contains(useless, sky));
-    CHECK(contains(useless, "room.obj --sky 10 --sun 150,40,20"));
-    CHECK(contains(useless, "or make a lamp of `Desk Lamp's shade`"));
+    const SceneText useful{floor_and_panel(named, true), materials};
+    CHECK(useful.remedies() == Remedies{{Remedy::lamp, "Desk Lamp's shade=10"}});
+    const SceneText useless{floor_and_panel(named, false), materials};
+    CHECK(contains(useless.problem(), sky));
+    CHECK(useless.remedies() == daylight);
+    CHECK(contains(useless.problem(), "or make a lamp of `Desk Lamp's shade`"));
     CHECK(contains(two_squares.problem(), sky));
     CHECK(contains(SceneText{square + "f 1 2 3 4\n", ""}.problem(), sky));
 
@@ -215,8 +232,8 @@ TEST_CASE("the error of a file without lamps names one by its name, or else the 
     // Nothing of the sky gets into a closed room, whichever way its walls were modelled.
     const std::string panel_in_cube = cube + "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.6 0.6 0.4\nv 0.4 0.6 0.4\n";
     const SceneText room{panel_in_cube + "usemtl x\nf -4 -3 -2 -1\n", ""};
-    CHECK(contains(room.problem(), "--lamp x=10"));
-    CHECK(contains(SceneText{cube, ""}.problem(), "--lamp default=10"));
+    CHECK(room.remedies() == Remedies{{Remedy::lamp, "x=10"}});
+    CHECK(SceneText{cube, ""}.remedies() == Remedies{{Remedy::lamp, "default=10"}});
     const SceneText nameless{square + "f 1 2 3 4\n", ""};
     CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
 }
@@ -236,19 +253,19 @@ TEST_CASE("a file without lamps knows what lamps, sky and sun would bring")
     std::string open_cube = cube;
     const std::vector<LightYield> open = yields(open_cube.erase(cube.find(opening), opening.size()));
     REQUIRE(open.size() == 3);
-    CHECK(open[0].option == " --lamp default=10");
+    CHECK(open[0].advice.value == "default=10");
     CHECK(open[0].emitted == doctest::Approx(50.0));
     CHECK(open[0].arriving == 0.0); // all that could receive shines
-    CHECK(open[1].option == " --sky 10");
+    CHECK(open[1].advice.remedy == Remedy::sky);
     CHECK(open[1].arriving == doctest::Approx(10.0).epsilon(0.05));
-    CHECK(open[2].option == " --sun 150,40,20");
+    CHECK(open[2].advice.remedy == Remedy::sun);
     const double cosine = std::cos(40.0 * pi / 180.0) * std::cos(30.0 * pi / 180.0);
     CHECK(open[2].arriving == doctest::Approx(20.0 * cosine).epsilon(0.05));
 
     const std::string panel_in_cube = cube + "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.6 0.6 0.4\nv 0.4 0.6 0.4\n";
     const std::vector<LightYield> closed = yields(panel_in_cube + "o lamp\nf -4 -3 -2 -1\n");
     REQUIRE(closed.size() == 4);
-    CHECK(closed[0].option == " --lamp lamp=10");
+    CHECK(closed[0].advice.value == "lamp=10");
     CHECK(closed[0].emitted == doctest::Approx(0.4));
     CHECK(closed[0].arriving == doctest::Approx(0.4));
     CHECK(closed[2].arriving == 0.0);
@@ -271,45 +288,43 @@ TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open o
     CHECK(SceneText{start + open_cube + last_wall, white}.read().surfaces.size() == 6); // not defined, so grey
 }
 
-TEST_CASE("reflectances above 1 are refused or lowered, and the error's command mends all that is wrong")
+TEST_CASE("reflectances above 1 are refused or lowered, and the error's advice mends all that is wrong")
 {
     const std::string start = "mtllib room.mtl\nusemtl white\n";
     const SceneText lit{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2 1.5 0.95\nnewmtl other\nKd 2\n"};
     CHECK(contains(lit.problem(), "room.mtl:3: Kd of material `white` is above 1"));
-    CHECK(contains(lit.problem(), "room.obj --reflectance-limit 0.9"));
+    CHECK(lit.remedies() == Remedies{{Remedy::reflectance_limit, "0.9"}});
     ObjChanges lowered;
     lowered.reflectance_limit = 0.9;
     const SceneFile scene = lit.read(EmissionFrom::ke, lowered);
     CHECK(scene.materials[0].reflectance == Rgb{0.2, 0.9, 0.9});
-    CHECK(any_contains(scene.warnings, "lowered to the limit of --reflectance-limit: `white`"));
+    CHECK(any_contains(scene.warnings, "reflectance lowered to the limit of 0.9: `white`"));
 
     const SceneText dark_cube{start + cube, "newmtl white\nKd 1\n"};
     CHECK(contains(dark_cube.problem(), "nothing absorbs light"));
     CHECK(contains(dark_cube.problem(), "no emitter"));
-    CHECK(contains(dark_cube.problem(), "room.obj --reflectance-limit 0.9 --lamp white=10"));
+    CHECK(dark_cube.remedies() == Remedies{{Remedy::reflectance_limit, "0.9"}, {Remedy::lamp, "white=10"}});
     lowered.lamps.push_back({"white", {10, 10, 10}});
     CHECK(dark_cube.read(EmissionFrom::ke, lowered).materials[0].emittance == Rgb{10, 10, 10});
     const SceneText unused{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2\nnewmtl other\nKd 2\n"};
     CHECK(unused.read().materials[0].reflectance == Rgb{0.2, 0.2, 0.2});
 }
 
-TEST_CASE("the command of an error keeps what was given, and names only what has faces that are left")
+TEST_CASE("the advice of an error names only what has faces that are left")
 {
     const std::string two =
         square + above +
         "o lamp\nusemtl a\nf 1 1 1\no --shade lamp\nusemtl b\nf 1 2 3 4\no rest\nusemtl c\nf 5 8 7 6\n";
     const SceneText scene{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 0.5\nnewmtl c\nKd 0.5\n"};
-    CHECK(contains(scene.problem(), "room.obj --lamp='--shade lamp=10'"));
+    CHECK(scene.remedies() == Remedies{{Remedy::lamp, "--shade lamp=10"}});
     ObjChanges changes;
     changes.ignored = {"--shade lamp"};
-    changes.options = " --ignore='--shade lamp' --unit mm";
-    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }),
-                   "--sky 10 --sun 150,40,20 --ignore='--shade lamp' --unit mm"));
+    CHECK(scene.remedies(changes) == daylight);
     changes.lamps = {{"b", {1, 1, 1}}};
-    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }), "--lamp: `b` has no face"));
+    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }), "room.obj: `b` has no face"));
     const SceneText white{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 1\nnewmtl c\nKd 0.5\n"};
-    CHECK(
-        contains(white.problem(), "room.obj --reflectance-limit 0.9 --lamp='--shade lamp=10'")); // it might trap light
+    CHECK(white.remedies() == // it might trap light
+          Remedies{{Remedy::reflectance_limit, "0.9"}, {Remedy::lamp, "--shade lamp=10"}});
 }
 
 TEST_CASE("white things that are seen from outside trap no light")
