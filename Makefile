@@ -21,12 +21,23 @@
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
-PROGRAM  ?= $(if $(filter build,$(BUILD)),multipath,$(BUILD)/multipath)
+triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
+windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
+PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(if $(windows),.exe)
+run       = "$(abspath $(PROGRAM))"
 # Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
 # each call that is passed otherwise than before version 10.
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconversion $(WERROR))
 # The processor's stack of 80-bit numbers rounds otherwise than all other processors.
-machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(shell $(CXX) -dumpmachine 2>/dev/null)),-msse2 -mfpmath=sse)
+machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(triple)),-msse2 -mfpmath=sse)
+# For Windows: names of files in UTF-8, by the program's manifest; no libraries beside the program. There g++ takes formats for
+# those of the system's printf.
+ifneq ($(windows),)
+WARNINGS += -Wno-format
+LDFLAGS  += -static
+manifest := $(BUILD)/src/base/platform/windows.res
+WINDRES  ?= $(if $(filter %-g++ %-g++-posix,$(CXX)),$(firstword $(subst -g++, ,$(CXX)))-)windres
+endif
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
 COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
@@ -45,18 +56,22 @@ objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
-MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 
-$(PROGRAM): $(objects)
+$(PROGRAM): $(objects) $(manifest)
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $(objects) -o $@
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ $(LDFLAGS) -o $@
+
+$(manifest): src/base/platform/windows.rc src/base/platform/windows.manifest
+	@mkdir -p $(@D)
+	$(Q)$(WINDRES) -O coff -o $@ $<
 
 demo: $(PROGRAM)
-	./$(PROGRAM) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
+	$(run) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
 
 paper: $(PROGRAM)
-	./$(PROGRAM) paper -o $(BUILD)/paper
+	$(run) paper -o $(BUILD)/paper
 
 results: paper
 	@mkdir -p docs/results
@@ -73,7 +88,7 @@ parts_tested = $(filter-out $(BUILD)/src/main.o,$(objects))
 
 $(BUILD)/unit_tests: $(parts_tested) $(test_objects)
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) -o $@
+	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) $(LDFLAGS) -o $@
 
 $(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
 $(test_objects): | $(BUILD)/doctest.path
@@ -100,7 +115,7 @@ $(BUILD)/src/cli/version.o: $(BUILD)/generated/cli/sources_checksum.inc
 
 $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@mkdir -p $(@D)
-	@cat $^ | cksum | sed 's/.*/"&"/' > $@.new
+	@cat $^ | { cksum || md5sum || echo unknown; } 2>/dev/null | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
 # -O3 for the rooms where lines fly, -O1 for what runs for each surface or pixel; the others and the tests compile faster.
@@ -138,7 +153,7 @@ mutants: $(BUILD)/unit_tests $(PROGRAM)
 	+@UNITY=no sh tests/mutants.sh $(BUILD) $(PROGRAM)
 
 bench: $(BUILD)/bench
-	./$(BUILD)/bench $(OBJ)
+	"$(abspath $(BUILD))/bench" $(OBJ)
 
 # Compared with Embree if its headers are there.
 bench_objects = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/bench/*.cpp))
@@ -168,8 +183,8 @@ installed  = bin/multipath share/man/man1/multipath.1 $(completion) $(own)
 install: $(PROGRAM)
 	@for folder in $(sort $(dir $(installed))); do install -d $(place)/$$folder || exit; done
 	install -m 755 $(PROGRAM) $(place)/bin/multipath
-	$(abspath $(PROGRAM)) help --man > $(place)/share/man/man1/multipath.1
-	$(abspath $(PROGRAM)) help --completion bash > $(place)/$(completion)
+	$(run) help --man > $(place)/share/man/man1/multipath.1
+	$(run) help --completion bash > $(place)/$(completion)
 	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
 	@for file in $(own); do install -m 644 $${file#share/*multipath/} $(place)/$$file || exit; done
 

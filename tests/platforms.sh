@@ -1,7 +1,8 @@
 # The same bytes on other processors: builds the program by cross compilers, runs it under qemu where this machine cannot,
 # and compares what it writes with what PROGRAM writes here. Prints a table, platforms by kinds of runs: "=" for the same
 # bytes, "!" for others, "x" for a run that failed. Compilers that are not there are left out.
-# Debian: g++-aarch64-linux-gnu and its like, qemu-user.
+# Debian: g++-aarch64-linux-gnu and its like, qemu-user; g++-mingw-w64-x86-64-posix and wine for Windows; libc++-dev and
+# libc++abi-dev for the C++ library of macOS.
 # Ends with the line "N passed, N failed".
 # KINDS chooses among the kinds of runs.
 # usage: [KINDS="reuse outputs"] platforms.sh PROGRAM [COMPILER...]      a compiler may have flags: "g++-11 -static"
@@ -10,9 +11,11 @@ here=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 shift
 [ $# -gt 0 ] || set -- aarch64-linux-gnu-g++ arm-linux-gnueabihf-g++ riscv64-linux-gnu-g++ powerpc64le-linux-gnu-g++ \
-    powerpc-linux-gnu-g++ s390x-linux-gnu-g++ i686-linux-gnu-g++
+    powerpc-linux-gnu-g++ s390x-linux-gnu-g++ i686-linux-gnu-g++ x86_64-w64-mingw32-g++-posix "clang++ -stdlib=libc++"
 scratch=$root/build/platforms passed=0 failed=0
 rm -rf "$scratch/runs" "$scratch/begun.state" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
+WINEDEBUG=-all
+export WINEDEBUG
 methods=$("$here" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')
 kinds=${KINDS:-$methods two-sided replicates rays adaptive outputs textures resumed}
 
@@ -59,7 +62,8 @@ sums() (
 # Sets $command to the words that run a program on this machine.
 find_command() {
     command=$1
-    "$1" --version >"$scratch/version" 2>/dev/null && return
+    case $2 in *mingw*) command="wine $1" ;; esac
+    $command --version 2>/dev/null | tr -d '\r' >"$scratch/version" && [ -s "$scratch/version" ] && return
     command="qemu-${2%%-*} $1"
     case $2 in powerpc64le*) command="qemu-ppc64le $1" ;; powerpc-*) command="qemu-ppc $1" ;; esac
     $command --version >"$scratch/version"
@@ -72,8 +76,10 @@ printf '%-32s %-20s' "" "instruction sets" && printf ' %s' $kinds && echo
 for compiler in "$@"; do
     command -v "${compiler%% *}" >/dev/null || { printf '%-32s left out: not installed\n' "$compiler"; continue; }
     build=build/platforms/$(echo "$compiler" | tr -c 'a-zA-Z0-9+\n-' _)
-    if ! make CXX="${compiler%% *}" CXXFLAGS="-Og -static ${compiler#"${compiler%% *}"}" BUILD="$build" "$build/multipath" >"$scratch/log" 2>&1 ||
-        ! find_command "$root/$build/multipath" "$compiler"; then
+    there=$build/multipath
+    case $compiler in *mingw*) there=$there.exe ;; esac
+    if ! make CXX="${compiler%% *}" CXXFLAGS="-Og -static ${compiler#"${compiler%% *}"}" BUILD="$build" "$there" >"$scratch/log" 2>&1 ||
+        ! find_command "$root/$there" "$compiler"; then
         printf '%-32s FAILED\n' "$compiler" && tail -n 5 "$scratch/log" && failed=$((failed + 1))
         continue
     fi
