@@ -1,12 +1,14 @@
 #include "scene/obj/obj_reader.h"
 
 #include "base/elementary.h"
+#include "scene/daylight.h"
 #include "scene/input_problem.h"
 #include "scene/obj/light_advice.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -270,6 +272,48 @@ TEST_CASE("a file without lamps knows what lamps, sky and sun would bring")
     CHECK(closed[0].arriving == doctest::Approx(0.4));
     CHECK(closed[2].arriving == 0.0);
     CHECK(closed[3].arriving == 0.0);
+}
+
+// A closed room inside a box that looks outward: nothing of the sky and the sun arrives in the room, all of it on the
+// box, and all light of the lamp in the room arrives, but none of that which is a wall of the box.
+TEST_CASE("of what lamps, sky and sun would bring each face has a part by its area, and of the sun by its slant")
+{
+    std::string obj;
+    const auto corners = [&](double x, double y, double z, double low) { // as those of the unit cube
+        for (const double c : {low, low + z})
+            for (const auto& [a, b] : {std::pair{low, low}, {low + x, low}, {low + x, low + y}, {low, low + y}})
+                obj += "v " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+    };
+    const auto faces = [&](bool outward, int lamp) {
+        int number = 0;
+        for (const auto& [a, b, c, d] :
+             {std::array{1, 2, 3, 4}, {8, 7, 6, 5}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1}}) {
+            obj += number == lamp ? "g lamp\nf" : "g other\nf";
+            ++number;
+            for (const int corner : outward ? std::array{d, c, b, a} : std::array{a, b, c, d})
+                obj += " " + std::to_string(corner - 9);
+            obj += "\n";
+        }
+    };
+    corners(1, 2, 3, 0.0);
+    faces(false, -1);
+    corners(1.6, 2.9, 4.1, -0.5);
+    faces(true, 2); // the lower one
+    obj += "v 0.4 0.4 0.4\nv 0.7 0.4 0.4\nv 0.7 0.9 0.4\nv 0.4 0.9 0.4\ng lamp\nf -4 -3 -2 -1\n";
+    std::vector<LightYield> yields;
+    try {
+        SceneText{obj, ""}.read();
+    } catch (const DarkScene& dark) {
+        yields = light_yields(dark.candidates, *dark.scene);
+    }
+    REQUIRE(yields.size() == 4);
+    CHECK(yields[0].option == " --lamp lamp=10");
+    CHECK(yields[0].emitted == doctest::Approx(10.0 * (0.15 + 1.6 * 4.1)));
+    CHECK(yields[0].arriving == doctest::Approx(10.0 * 0.15));
+    CHECK(yields[2].arriving == doctest::Approx(10.0 * 2.0 * (1.6 * 2.9 + 1.6 * 4.1 + 2.9 * 4.1)));
+    const Vec3 sun = sun_at(150.0, 40.0, {0, 1, 0}, {1, 1, 1}).direction;
+    CHECK(yields[3].arriving == doctest::Approx(20.0 * (2.9 * 4.1 * std::abs(sun.x) + 1.6 * 4.1 * std::abs(sun.y) +
+                                                        1.6 * 2.9 * std::abs(sun.z))));
 }
 
 TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open one is not")

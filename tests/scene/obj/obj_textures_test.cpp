@@ -1,19 +1,26 @@
 #include "scene/obj/obj_textures.h"
 
+#include "base/text_format.h"
 #include "scene/input_problem.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/scene.h"
 #include "scene/scratch_folder.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace obj_textures_test {
 
 using namespace multipath;
 
 namespace {
+
+using Bytes = std::vector<std::uint8_t>;
 
 /// White and black, 2 x 1.
 const std::string halves = "P3 2 1 255\n255 255 255 0 0 0\n";
@@ -255,6 +262,87 @@ TEST_CASE("map_Ke times Ke is the mean of a lamp")
     lamp.reflectance_limit = 0.5;
     const SceneFile limited = files.read(face, "newmtl m\nKe 1\nmap_Kd a.ppm\n", lamp);
     CHECK(Scene(limited, 1.0).reflectance(0).r == doctest::Approx(0.5));
+}
+
+// Every face lies within one pixel of each map, so its colour is that of the pixel. The faces of two materials differ
+// in area; the points of their corners are a thousandth apart.
+TEST_CASE("a material has the mean over its area of each of its maps, with the scale and offset of that map")
+{
+    const Bytes kd_pixels = {90, 60, 0, 200, 130, 70, 30, 250, 0, 160, 80, 40, 20, 10, 50, 220, 110, 140};
+    const Bytes ke_pixels = {0, 55, 250, 0, 35, 120, 0, 210, 65, 0, 75, 180, 0, 45, 95, 0, 240, 150};
+    Files files;
+    files.folder.write("kd.ppm", "P6 3 2 255\n" + std::string(kd_pixels.begin(), kd_pixels.end()));
+    files.folder.write("ke.ppm", "P6 2 3 255\n" + std::string(ke_pixels.begin(), ke_pixels.end()));
+    const auto pixel = [](const Bytes& pixels, int width, double s, double t) {
+        const int height = 6 / width;
+        const int column = static_cast<int>(std::floor(width * (s - std::floor(s))));
+        const int row = height - 1 - static_cast<int>(std::floor(height * (t - std::floor(t))));
+        return linear_colour(pixels.data() + 3 * (row * width + column));
+    };
+    std::string obj;
+    std::array<Rgb, 2> reflected, emitted; // by material: area times colour
+    std::array<double, 2> areas = {};
+    for (int k = 0; k < 9; ++k) {
+        const std::size_t m = k % 3 == 1 ? 1 : 0;
+        const double width = 0.3 + 0.37 * (k * k % 5);
+        const double height = 1.9 - 0.23 * k;
+        const bool triangle = k % 2 == 1;
+        const double s = -1.37 + 0.473 * k;
+        const double t = 2.21 - 0.719 * k;
+        obj += m == 0 ? "usemtl m\n" : "usemtl n\n";
+        for (const auto& [x, z] : {std::pair{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}})
+            obj += format("v %.17g %d %.17g\nvt %.17g %.17g\n", x, k, z, s + 1e-3 * x, t + 1e-3 * z);
+        obj += triangle ? "f -4/-4 -3/-3 -2/-2\n" : "f -4/-4 -3/-3 -2/-2 -1/-1\n";
+        const double area = (triangle ? 0.5 : 1.0) * width * height;
+        areas[m] += area;
+        reflected[m] +=
+            area * (m == 0 ? pixel(kd_pixels, 3, 0.6 * s + 0.17, 1.7 * t - 0.4) : pixel(kd_pixels, 3, s, t));
+        emitted[m] += area * (m == 0 ? pixel(ke_pixels, 2, s, 0.8 * t) : pixel(ke_pixels, 2, 1.3 * s, t + 0.29));
+    }
+    const SceneFile file = files.read(obj, "newmtl m\nKd 0.9 0.8 0.6\nmap_Kd -s 0.6 1.7 -o 0.17 -0.4 kd.ppm\n"
+                                           "Ke 3 5 7\nmap_Ke -s 1 0.8 ke.ppm\n"
+                                           "newmtl n\nKd 0.5 0.7 1\nmap_Kd kd.ppm\n"
+                                           "Ke 2 4 6\nmap_Ke -s 1.3 1 -o 0 0.29 ke.ppm\n");
+    for (const std::size_t m : {0u, 1u}) {
+        const Rgb kd = m == 0 ? Rgb{0.9, 0.8, 0.6} : Rgb{0.5, 0.7, 1.0};
+        const Rgb ke = m == 0 ? Rgb{3, 5, 7} : Rgb{2, 4, 6};
+        const Rgb expected = kd * (1.0 / areas[m] * reflected[m]);
+        const Rgb light = ke * (1.0 / areas[m] * emitted[m]);
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+            CHECK(file.materials[m].reflectance.*c == doctest::Approx(expected.*c));
+            CHECK(file.materials[m].emittance.*c == doctest::Approx(light.*c));
+        }
+    }
+}
+
+// White, as far as Kd is concerned, are also faces of the material without colours. A fifth of sRGB is 51 of 255.
+TEST_CASE("a material has the mean over its area of the colours of its vertices")
+{
+    const Files files;
+    const std::array<std::array<int, 3>, 4> fifths = {{{5, 0, 2}, {1, 0, 4}, {5, 5, 5}, {3, 0, 1}}};
+    std::string obj = "v 0 9 0\nv 1 9 0\nv 0 9 1\nusemtl lamp\nf -3 -2 -1\nusemtl m\n";
+    Rgb sum;
+    double areas = 0.0;
+    for (std::size_t k = 0; k < fifths.size(); ++k) {
+        const double width = 0.4 + 1.1 * static_cast<double>(k);
+        std::string colour;
+        std::array<std::uint8_t, 3> bytes{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            colour += format(" %g", fifths[k][c] / 5.0);
+            bytes[c] = static_cast<std::uint8_t>(51 * fifths[k][c]);
+        }
+        for (const char* z : {"0", "1.5"})
+            for (const double x : {0.0, width})
+                obj += format("v %g %zu %s", x, k, z) + (k == 2 ? "" : colour) + "\n";
+        obj += k % 2 == 0 ? "f -4 -3 -1 -2\n" : "f -4 -3 -1\n";
+        const double area = (k % 2 == 0 ? 1.5 : 0.75) * width;
+        sum += area * linear_colour(bytes.data());
+        areas += area;
+    }
+    const SceneFile file = files.read(obj, "newmtl lamp\nKd 0\nKe 1\nnewmtl m\nKd 0.9 0.7 0.4\n");
+    const Rgb expected = Rgb{0.9, 0.7, 0.4} * (1.0 / areas * sum);
+    for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
+        CHECK(file.materials[1].reflectance.*c == doctest::Approx(expected.*c));
 }
 
 TEST_CASE("texture points that do not exist, count back, or are no numbers do no harm")

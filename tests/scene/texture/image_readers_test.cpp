@@ -20,6 +20,8 @@ using namespace multipath;
 
 namespace {
 
+using Bytes = std::vector<std::uint8_t>;
+
 /// Bytes from hexadecimal digits; blanks are skipped.
 std::string hex(std::string_view digits)
 {
@@ -487,6 +489,80 @@ TEST_CASE("BMP: run-length encoding with its escapes")
     CHECK(bmp_picture(rle_4 + "0512 0002 00ff 0002 00ff 0512 0001") ==
           "ff0000 ff0000 ff0000 ff0000 ff0000 / 00ff00 0000ff 00ff00 0000ff 00ff00");
     CHECK(bmp_picture(rle_4 + "0512 0000") == "ends too early");
+}
+
+namespace {
+
+std::string little_endian(std::size_t value, std::size_t bytes)
+{
+    std::string text;
+    for (std::size_t k = 0; k < bytes; ++k)
+        text += static_cast<char>(value >> 8 * k & 255);
+    return text;
+}
+
+/// Two rows of indices, that from below first, in a BMP of these bits with a palette of `colours`.
+std::string bmp_file(std::size_t width, std::size_t bits, std::size_t compression, const Bytes& colours,
+                     const std::string& data)
+{
+    std::string palette;
+    for (std::size_t k = 0; k < colours.size(); k += 3)
+        for (const std::size_t channel : {2u, 1u, 0u, 3u})
+            palette += channel == 3 ? '\0' : static_cast<char>(colours[k + channel]);
+    return "BM" + std::string(8, '\0') + little_endian(54 + palette.size(), 4) + little_endian(40, 4) +
+           little_endian(width, 4) + little_endian(2, 4) + little_endian(1, 2) + little_endian(bits, 2) +
+           little_endian(compression, 4) + std::string(12, '\0') + little_endian(colours.size() / 3, 4) +
+           std::string(4, '\0') + palette + data;
+}
+
+/// Indices of `bits` bits each, one after the other, filled up with zeros to whole words of `word` bytes.
+std::string packed_bits(const Bytes& indices, std::size_t bits, std::size_t word)
+{
+    std::string text((indices.size() * bits + 8 * word - 1) / (8 * word) * word, '\0');
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        text[k * bits / 8] =
+            static_cast<char>(static_cast<unsigned char>(text[k * bits / 8]) | indices[k] << (8 - bits - k * bits % 8));
+    return text;
+}
+
+} // namespace
+
+// The pixels one by one, and the same as a run of single pixels before a run of one colour, in rows of every width.
+TEST_CASE("BMP: rows and runs of single pixels have their pixels, however many they are")
+{
+    Bytes colours;
+    for (unsigned k = 0; k < 48; ++k)
+        colours.push_back(static_cast<std::uint8_t>(k * 91 + 7));
+    for (std::size_t width = 4; width < 256; ++width) {
+        CAPTURE(width);
+        for (const std::size_t bits : {1u, 4u, 8u, 24u}) {
+            CAPTURE(bits);
+            Bytes pixels;     // from the top
+            std::string rows; // from below
+            std::string runs;
+            for (const std::size_t row : {0u, 1u}) {
+                Bytes indices(width);
+                for (std::size_t k = 0; k < width; ++k)
+                    indices[k] = static_cast<std::uint8_t>((k * k + 3 * row + k / 7) % (bits == 1 ? 2 : 16));
+                const std::string last = {1, static_cast<char>(indices.back() * (bits == 4 ? 16 : 1))};
+                const std::string end = {0, static_cast<char>(row)};
+                runs += std::string{0, static_cast<char>(width - 1)} +
+                        packed_bits({indices.begin(), indices.end() - 1}, bits, 2) + last + end;
+                Bytes in_colour, in_file;
+                for (const std::uint8_t index : indices)
+                    for (const std::size_t channel : {0u, 1u, 2u}) {
+                        in_colour.push_back(colours[3u * index + channel]);
+                        in_file.push_back(colours[3u * index + 2 - channel]);
+                    }
+                pixels.insert(pixels.begin(), in_colour.begin(), in_colour.end());
+                rows += bits == 24 ? packed_bits(in_file, 8, 4) : packed_bits(indices, bits, 4);
+            }
+            const Bytes used = bits == 24 ? Bytes{} : Bytes(colours.begin(), colours.begin() + (bits == 1 ? 6 : 48));
+            CHECK(read_image("a.bmp", bmp_file(width, bits, 0, used, rows)).rgb == pixels);
+            if (bits == 4 || bits == 8)
+                CHECK(read_image("a.bmp", bmp_file(width, bits, bits == 8 ? 1 : 2, used, runs)).rgb == pixels);
+        }
+    }
 }
 
 TEST_CASE("BMP: what is unknown, empty or cut short is refused")

@@ -198,4 +198,28 @@ TEST_CASE("between the middles of pixels the colour is linear")
     CHECK(t.hash() != Texture("a.ppm", t.bytes(), false).hash());
 }
 
+// Where the image does not repeat, the pixels at its border continue.
+TEST_CASE("the colour at a point is bilinear between the middles of the four pixels around it")
+{
+    std::uint64_t k = 0;
+    const auto number = [&] { return 4.0 * radical_inverse(3, ++k * 7919) - 1.5; };
+    for (const bool repeats : {true, false})
+        for (const auto& size : {std::pair{5, 3}, {2, 7}, {1, 4}, {6, 1}}) {
+            const Texture t = texture(size.first, size.second, repeats);
+            CAPTURE(size.first);
+            for (int trial = 0; trial < 50; ++trial) {
+                const TexturePoint p = {number(), number()};
+                const double x = std::floor(p.s * size.first - 0.5);
+                const double y = std::floor(p.t * size.second - 0.5);
+                Rgb expected;
+                for (const double right : {0.0, 1.0})
+                    for (const double up : {0.0, 1.0})
+                        expected += (1.0 - std::abs(p.s * size.first - 0.5 - x - right)) *
+                                    (1.0 - std::abs(p.t * size.second - 0.5 - y - up)) *
+                                    pixel_at(t, {(x + right + 0.5) / size.first, (y + up + 0.5) / size.second});
+                CHECK(is_near(t.at(p), expected, 1e-12));
+            }
+        }
+}
+
 } // namespace texture_test
