@@ -235,13 +235,16 @@ private:
     {
         constexpr double step_u = 0.7548776662466927;
         constexpr double step_v = 0.5698402909980532;
+        const bool is_triangle = patch.shape.shape == Shape::triangle;
+        // The first point, the middle of the square, is on an edge of the triangle, where rounding may hide the sun.
+        const std::size_t first = is_triangle ? 1 : 0;
         points_.clear();
-        for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t k = first; k < first + count; ++k) {
             double u = 0.5 + static_cast<double>(k) * step_u;
             double v = 0.5 + static_cast<double>(k) * step_v;
             u -= std::floor(u);
             v -= std::floor(v);
-            const bool fold = patch.shape.shape == Shape::triangle && u + v > 1.0;
+            const bool fold = is_triangle && u + v > 1.0;
             points_.push_back(fold ? patch.shape.at(1.0 - u, 1.0 - v) : patch.shape.at(u, v));
         }
         return count_sunlit(patch.surface, points_);

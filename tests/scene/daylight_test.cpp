@@ -2,6 +2,7 @@
 
 #include "scene/scene_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -69,6 +70,35 @@ TEST_CASE("a surface that faces the sun slantwise gets the cosine, one that look
     const Vec3 up = {0, 1, 0};
     CHECK(scene.sunlight(0, {0.5, 0, 0.5}, up).g == doctest::Approx(2.0));
     CHECK(scene.sunlight(0, {0.5, 0, 0.5}, -up).g == 0.0);
+}
+
+// Points for which rounding would decide on which side of an edge they are tell nothing of a patch.
+TEST_CASE("a convex body has no shadow on itself: each patch that faces the sun gets the cosine, to rounding")
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    constexpr int around = 20;
+    const auto at = [](int i, int j) {
+        const double theta = 3.14159265358979 * i / around;
+        const double phi = 2.0 * 3.14159265358979 * j / around + 0.1;
+        return Vec3{-7.0 + 2.0 * std::sin(theta) * std::cos(phi), 3.0 + std::cos(theta),
+                    11.0 + 1.3 * std::sin(theta) * std::sin(phi)};
+    };
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < around; ++j) {
+            if (i > 0)
+                builder.triangle(at(i, j), at(i, j + 1), at(i + 1, j), grey);
+            if (i + 1 < around)
+                builder.triangle(at(i + 1, j + 1), at(i + 1, j), at(i, j + 1), grey);
+        }
+    const Sun sun = {normalized({0.3, 0.9, -0.5}), white};
+    for (const double patch_size : {0.2, 10.0}) {
+        const Scene scene = builder.sun(sun).scene(patch_size);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const double cosine = std::max(0.0, dot(scene.patch(i).shape.normal(), sun.direction));
+            CHECK(std::abs(scene.sunlight(i).g - cosine) <= 1e-12);
+        }
+    }
 }
 
 TEST_CASE("the shadow of a cube has the area of its parallel projection")
