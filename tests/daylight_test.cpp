@@ -141,6 +141,31 @@ TEST_CASE("sunlight on many patches is right with few lines, too")
         CHECK(power(lines) == doctest::Approx(right).epsilon(0.02));
 }
 
+// All that a plate in the open reflects of the sun escapes, and all that a lamp in a box sends meets the backs of its
+// black faces.
+TEST_CASE("reflected sunlight that escapes and lamplight lost behind surfaces are told apart")
+{
+    SceneBuilder builder;
+    const Rgb rho = {0.8, 0.0, 0.3};
+    builder.rectangle({-5, 2, 1}, {2, 0, 0}, {0, 3, 0}, builder.material(rho, {})); // looks along z
+    builder.box({-4.5, 2.5, -2}, {-3.5, 3.5, -1}, builder.grey(0.0, 0.0));
+    builder.rectangle({-4.2, 2.7, -1.8}, {0, 0.5, 0}, {0, 0, 0.6}, builder.material({0.1, 0.2, 0.6}, {0.0, 7.0, 5.0}));
+    builder.sun({normalized({3, 0, 4}), {10.0, 20.0, 0.0}});
+    const Scene scene = builder.scene(0.7);
+    const Rgb escaped = 6.0 * 0.8 * Rgb{8.0, 0.0, 0.0};
+    const Rgb behind = 0.3 * Rgb{0.0, 7.0, 5.0};
+    for (const Method method : all_methods()) {
+        CAPTURE(method->name);
+        const PowerBalance balance = solve(scene, random_lines(method, 1u << 14, 3), silent).balance;
+        if (balance.emitted_error > 0.0)
+            continue; // global lines of a walk: by number, with noise
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+            CHECK(balance.escaped.*c == doctest::Approx(escaped.*c).epsilon(1e-9));
+            CHECK(balance.behind.*c == doctest::Approx(behind.*c).epsilon(1e-9));
+        }
+    }
+}
+
 // A lamp, the sky and the sun together are their sum, since light does not disturb light.
 TEST_CASE("lamp, sky and sun add up" * doctest::test_suite("statistics"))
 {

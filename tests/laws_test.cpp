@@ -4,7 +4,9 @@
 
 #include "base/elementary.h"
 #include "form_factor.h"
+#include "irregular_scene.h"
 #include "linear_system.h"
+#include "radiosity/run/replicates.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 
@@ -212,6 +214,59 @@ TEST_CASE("a grey scene has the same bits in each channel")
             CHECK(b.r == b.g);
             CHECK(b.g == b.b);
         }
+}
+
+// Factors that are powers of two change no digit of any number. Lamps, a textured one among them, sky and sun light
+// unlike patches with two sides; then lamps light a scene that leaks and whose backs are no patches.
+TEST_CASE("light is found to the same digits in any unit of power and of length")
+{
+    SceneBuilder builder;
+    builder.room({-1, 2, 0.5}, {0, 3, 2}, builder.material({0.7, 0.5, 0.2}, {}));
+    SceneFile leaking = builder.rectangle({-0.8, 2.9, 0.7}, {0.4, 0, 0}, {0, 0, 0.3}, builder.material({}, {3, 0, 1}))
+                            .rectangle({-0.7, 2.4, 0.8}, {0.3, 0, 0}, {0, 0.1, 0.3}, builder.grey(0.3, 0.2))
+                            .file();
+    leaking.surfaces.erase(leaking.surfaces.begin() + 3); // a wall
+    for (auto* list : {&leaking.material, &leaking.group, &leaking.line})
+        list->erase(list->begin() + 3);
+    const auto solved = [](SceneFile file, bool irregular, double power, double length, SolveOptions options) {
+        for (Material& material : file.materials)
+            material.emittance = power * material.emittance;
+        if (file.sun)
+            file.sun->irradiance = power * file.sun->irradiance;
+        for (Surface& s : file.surfaces)
+            s = {s.shape, length * s.origin, length * s.edge_u, length * s.edge_v};
+        const Scene scene = irregular ? unevenly_refined(Scene(std::move(file), 0.7 * length, true))
+                                      : Scene(std::move(file), 0.25 * length);
+        options.lines = std::uint64_t{100} * scene.patch_count();
+        return solve_replicates(scene, prepare(scene, options), options, 2, silent);
+    };
+    for (const bool irregular : {true, false})
+        for (const Method method : all_methods())
+            for (const bool all_pairs : {true, false}) {
+                CAPTURE(irregular);
+                CAPTURE(method->name);
+                CAPTURE(all_pairs);
+                SolveOptions options = random_lines(method, 1, 5);
+                options.all_pairs = all_pairs;
+                if (!all_pairs && method != Method::reuse)
+                    continue;
+                const SceneFile file = irregular ? irregular_file() : leaking;
+                const Solution one = solved(file, irregular, 1.0, 1.0, options);
+                const Solution bright = solved(file, irregular, 0x1p-12, 1.0, options);
+                const Solution large = solved(file, irregular, 1.0, 0x1p6, options);
+                for (std::size_t i = 0; i < one.radiosity.size(); ++i) {
+                    CHECK(bright.radiosity[i] == 0x1p-12 * one.radiosity[i]);
+                    CHECK(bright.standard_error[i] == 0x1p-12 * one.standard_error[i]);
+                }
+                CHECK(bright.balance.escaped == 0x1p-12 * one.balance.escaped);
+                CHECK(bright.balance.behind == 0x1p-12 * one.balance.behind);
+                if (method == Method::reuse && one.global_lines == 0)
+                    continue; // its first rays are shared by a power of the areas that is rounded
+                CHECK(large.radiosity == one.radiosity);
+                CHECK(large.standard_error == one.standard_error);
+                CHECK(large.balance.escaped == 0x1p12 * one.balance.escaped);
+                CHECK(large.balance.behind == 0x1p12 * one.balance.behind);
+            }
 }
 
 TEST_CASE("the result does not depend on the number of threads")

@@ -159,6 +159,14 @@ TEST_CASE("across a gap of no width face to face, the exchange is the overlap")
     CHECK(exchange_area(square, rectangle({-0.2, -0.4, 0}, {0, 1, 0}, {1, 0, 0}), touching) ==
           doctest::Approx(0.7 * 0.9).epsilon(1e-12));
     CHECK(exchange_area(square, turned_over(square), touching) == doctest::Approx(1.0).epsilon(1e-12));
+    for (const double x : {-0.99, -0.6, 0.0, 0.8}) // up to a narrow strip or a corner, far from both middles
+        for (const double y : {-0.9, 0.0, 0.95}) {
+            const Surface shifted = rectangle({x - 0.5, y - 0.5, 0}, {0, 1, 0}, {1, 0, 0});
+            const double area = (1.0 - std::abs(x)) * (1.0 - std::abs(y));
+            CHECK(exchange_area(square, shifted, touching) == doctest::Approx(area).epsilon(1e-9).scale(0.0));
+            CHECK(exchange_area(moved(shifted), moved(square), touching) ==
+                  doctest::Approx(area).epsilon(1e-9).scale(0.0));
+        }
     // Next to each other they share an edge or a corner, and no area.
     CHECK(exchange_area(square, rectangle({0.5, -0.5, 0}, {0, 1, 0}, {1, 0, 0}), touching) == 0.0);
     CHECK(exchange_area(square, rectangle({0.5, 0.5, 0}, {0, 1, 0}, {1, 0, 0}), touching) == 0.0);

@@ -170,6 +170,7 @@ TEST_CASE("of coincident faces the smaller covers the larger, seen from either e
         intersector.all_hits(chord({0.5, 2, 0.5}, {0.51, 0, 0.5}), hits); // down: departs, the lamp last
         REQUIRE(hits.size() == 2);
         CHECK(hits[1].surface == lamp_number);
+        CHECK(intersector.closest_hit(chord({0.5, 2, 0.5}, {0.51, 0, 0.5}))->surface == 1 - lamp_number);
         CHECK(intersector.closest_hit(chord({0.5, 0, 0.5}, {0.51, 2, 0.5}))->surface == lamp_number);
         CHECK(!intersector.closest_hit_from(lamp_number, {{0.5, 1, 0.5}, {0, -1, 0}}));
         CHECK(intersector.closest_hit_from(1 - lamp_number, {{0.5, 1, 0.5}, {0, -1, 0}})->surface == lamp_number);

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace surface_sizes_test {
@@ -21,14 +22,26 @@ TEST_CASE("surfaces are ordered by area, equal ones by number, and ranked the ot
     CHECK(size_ranks(order_by_descending_area(surfaces)) == std::vector<std::uint32_t>{2, 1, 3, 0});
 }
 
-TEST_CASE("walls seen from inside form a room, also without one of them; a box in the open does not")
+TEST_CASE("walls seen from inside form a room, also without one of them, wherever it is; a box in the open does not")
 {
-    SceneBuilder inside, outside;
-    SurfaceList walls = inside.room({5, 5, 5}, {6, 7, 8}, inside.grey(0.5, 1.0)).file().surfaces;
-    CHECK(is_interior(walls));
-    walls.pop_back();
-    CHECK(is_interior(walls));
-    CHECK(!is_interior(outside.box({5, 5, 5}, {6, 7, 8}, outside.grey(0.5, 1.0)).file().surfaces));
+    for (const Vec3 low : {Vec3{0, 0, 0}, {5, 5, 5}, {-1e4, 3, -20}, {0.1, -1e5, 1e4}, {-2, -1, 1e5}}) {
+        CAPTURE(low.x);
+        SceneBuilder inside, outside;
+        const Vec3 high = low + Vec3{1, 2, 3};
+        const SurfaceList walls = inside.room(low, high, inside.grey(0.5, 1.0)).file().surfaces;
+        const SurfaceList faces = outside.box(low, high, outside.grey(0.5, 1.0)).file().surfaces;
+        CHECK(is_interior(walls));
+        CHECK(!is_interior(faces));
+        for (std::size_t missing = 0; missing < walls.size(); ++missing) {
+            CAPTURE(missing);
+            SurfaceList open = walls;
+            open.erase(open.begin() + static_cast<std::ptrdiff_t>(missing));
+            CHECK(is_interior(open));
+            open = faces;
+            open.erase(open.begin() + static_cast<std::ptrdiff_t>(missing));
+            CHECK(!is_interior(open));
+        }
+    }
 }
 
 TEST_CASE("boxes leave room on all sides for a shared plane")

@@ -2,8 +2,10 @@
 
 #include "test_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <vector>
 
 namespace direct_light_test {
 
@@ -61,6 +63,39 @@ TEST_CASE("a triangle lights nothing from beside it")
     const Scene scene = builder.scene(100.0);
     CHECK(measure_direct_light(scene, 1u << 12, 1).lit_fraction ==
           doctest::Approx(0.5 * 1.08 * 1.08 / scene.total_area()));
+}
+
+// Two faces of a triangular pyramid are in the sun, one is not, and none sees another. What a face reflects is known.
+TEST_CASE("the figures of the direct light are means by area, whatever the patches and colours")
+{
+    const Rgb irradiance = {5.0, 0.0, 3.0};
+    const Vec3 towards_sun = normalized({2.0, -1.0, 1.0});
+    const Vec3 top = {-3.0, 2.0, 9.0};
+    const std::vector<Vec3> base = {{-4.0, 1.0, 5.0}, {-1.0, 0.5, 6.0}, {-2.5, 5.0, 6.5}};
+    const std::vector<Rgb> reflectance = {{0.9, 0.1, 0.4}, {0.2, 0.8, 0.0}, {0.5, 0.5, 0.5}};
+    SceneBuilder builder;
+    for (std::size_t k = 0; k < 3; ++k)
+        builder.triangle(base[k], base[(k + 1) % 3], top,
+                         builder.material(reflectance[k], {0.0, k == 1 ? 4.0 : 0.0, 0.0}));
+    const Scene scene = unevenly_refined(builder.sun({towards_sun, irradiance}).scene(1.5));
+    double received = 0.0;
+    double reflected = 0.0;
+    double squares = 0.0;
+    int lit = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Surface& face = scene.surfaces()[k];
+        const double cosine = std::max(0.0, dot(face.normal(), towards_sun));
+        const double b = cosine * mean(reflectance[k] * irradiance);
+        lit += cosine > 0.0 ? 1 : 0;
+        received += face.area() * cosine * mean(irradiance);
+        reflected += face.area() * b;
+        squares += face.area() * b * b;
+    }
+    REQUIRE(lit == 2);
+    const DirectLight light = measure_direct_light(scene, 100, 1);
+    CHECK(light.secondary_reflectance == doctest::Approx(reflected / received));
+    CHECK(light.effective_fraction == doctest::Approx(reflected * reflected / (scene.total_area() * squares)));
+    CHECK(light.lit_fraction == 0.0); // by the light that the faces send
 }
 
 } // namespace direct_light_test

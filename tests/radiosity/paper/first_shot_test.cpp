@@ -1,6 +1,7 @@
 #include "radiosity/paper/first_shot.h"
 
 #include "form_factor.h"
+#include "irregular_scene.h"
 #include "test_scenes.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
@@ -117,6 +118,41 @@ TEST_CASE("shooting moves power and loses none")
     }
     CHECK(incident == doctest::Approx(9 * 5.0)); // closed: all of it arrives
     CHECK(power_balance(scene, state).relative_error() < 1e-12);
+}
+
+// Sums of numbers of ten bits are the same in any order, to the last bit.
+TEST_CASE("with the colours exchanged the same rays carry the same power, exchanged")
+{
+    const auto turned = [](Rgb c) { return Rgb{c.b, c.r, c.g}; };
+    const Scene scene = irregular_scene();
+    PowerState state(scene);
+    std::uint64_t counter = 0;
+    const auto number = [&] { return std::floor(0x1p10 * bits_to_unit(random_bits(1, counter++))); };
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        state.unshot[i] = {number(), i % 3 == 0 ? 0.0 : number(), i % 2 == 0 ? 0.0 : 4.0 * number()};
+    for (const double share : {0.0, 0.5, 1.5})
+        for (const std::uint64_t rays : {7u, 1000u}) {
+            CAPTURE(share);
+            CAPTURE(rays);
+            const double threshold = share * 1024.0 / scene.own_area() * scene.patch_count();
+            PowerState before = state;
+            PowerState other = state;
+            for (Rgb& unshot : other.unshot)
+                unshot = turned(unshot);
+            const std::vector<Shot> shots = plan_first_shot(scene, before, threshold, rays, 1);
+            const std::vector<Shot> again = plan_first_shot(scene, other, threshold, rays, 1);
+            REQUIRE(shots.size() > 1);
+            REQUIRE(again.size() == shots.size());
+            for (std::size_t k = 0; k < shots.size(); ++k) {
+                CHECK(again[k].patch == shots[k].patch);
+                CHECK(again[k].rays == shots[k].rays);
+                CHECK(again[k].power_per_ray == turned(shots[k].power_per_ray));
+            }
+            spend(scene, threshold, shots, before);
+            spend(scene, threshold, again, other);
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                CHECK(other.unshot[i] == turned(before.unshot[i]));
+        }
 }
 
 // In a black cube whose floor emits 1 W the ceiling receives F of two facing squares, each wall a quarter of the rest.

@@ -1,8 +1,10 @@
 #include "radiosity/paper/line_budget.h"
 
 #include "radiosity/paper/direct_light.h"
+#include "scene/daylight.h"
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 namespace line_budget_test {
@@ -59,6 +61,29 @@ TEST_CASE("the threshold is the mean reflected radiosity of a furnace")
     const std::uint32_t wall = builder.grey(0.6, 2.0);
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, wall).scene(1.0);
     CHECK(threshold_radiosity(scene) == doctest::Approx(2.0 / (1 - 0.6) - 2.0));
+}
+
+// By power: that of a lamp is A E, of a sky the same with its six sides, and of the sun A E cos.
+TEST_CASE("the threshold is the same for equal power of a lamp, the sky and the sun, and that of all is the sum")
+{
+    const auto threshold = [](double lamp, double sky, double sun) {
+        SceneBuilder builder;
+        builder.rectangle({-9, 2, 5}, {0, 3, 0}, {0, 0, 2}, builder.material({0.9, 0.2, 0.4}, {})); // looks along x
+        builder.rectangle({-9, 2, 5}, {0, 1, 0}, {2, 0, 0}, builder.material({0.1, 0.3, 0.0}, {0.0, lamp, 2.0 * lamp}));
+        builder.sun({normalized({3, 4, 0}), {sun, 2.0 * sun, 0.0}}); // on the first alone
+        SceneFile file = builder.file();
+        add_sky(file, {0.0, 0.0, sky});
+        return threshold_radiosity(Scene(file, 0.7));
+    };
+    const double margin = 0.05 * std::sqrt(4.0 + 9.0 + 4.0);
+    const Vec3 box = Vec3{2, 3, 2} + 2.0 * Vec3{margin, margin, margin};
+    const double lamp_power = 2.0 * 3.0 / 3.0;
+    const double sky_power = 2.0 * (box.x * box.y + box.y * box.z + box.z * box.x) / 3.0;
+    const double sun_power = 6.0 * 0.6 * 3.0 / 3.0;
+    const double of_lamp = threshold(1, 0, 0) / lamp_power;
+    CHECK(threshold(0, 1, 0) / sky_power == doctest::Approx(of_lamp));
+    CHECK(threshold(0, 0, 1) / sun_power == doctest::Approx(of_lamp));
+    CHECK(threshold(5, 3, 4) == doctest::Approx(of_lamp * (5 * lamp_power + 3 * sky_power + 4 * sun_power)));
 }
 
 // A lamp covers the ceiling of a unit cube: it lights the floor and the walls, 5/6 of the area, but not itself. The

@@ -132,18 +132,18 @@ TEST_CASE("the border of a shadow stays where the noise is smaller than it")
     }
 }
 
-// The light on a texture of d times the mean reflectance has d times the deviation. Without the texture it is the light
-// on a plain floor; so is the result.
+// The reflected light on a texture of d times the mean reflectance has d times the deviation. Without the texture it is
+// the light on a plain floor; so is the result. What the floor emits has no texture.
 TEST_CASE("a texture does not change what is taken for noise")
 {
     SceneBuilder builder;
-    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 0.0));
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.material({0.5, 0.5, 0.5}, {0.3, 0.0, 0.7}));
     builder.rectangle({0, 5, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0));
     SceneFile file = builder.file();
     const Scene plain(file, 1.0 / 32.0);
-    std::string pixels = "P2 8 8 255\n";
+    std::string pixels = "P3 8 8 255\n";
     for (int k = 0; k < 64; ++k)
-        pixels += std::to_string(40 + 3 * k) + " ";
+        pixels += std::to_string(40 + 3 * k) + " " + std::to_string(250 - 3 * k) + " " + std::to_string(90 + k) + " ";
     const auto texture = std::make_shared<const Texture>("ramp.pgm", pixels, true);
     file.textures = {texture};
     file.materials[0].texture = 0;
@@ -155,20 +155,26 @@ TEST_CASE("a texture does not change what is taken for noise")
         plain, 8, [](Vec3 p) { return 1.0 + p.x * p.z; }, [](Vec3 p) { return p.x < 0.5 ? 0.1 : 0.3; });
     Noisy light = expected;
     std::vector<Rgb> detail;
+    const auto textured = [&](std::uint32_t i, Rgb b) {
+        return plain.emittance(i) + detail[i] * (b - plain.emittance(i));
+    };
     for (std::uint32_t i = 0; i < painted.patch_count(); ++i) {
-        const double d = i < painted.first_patch(1) ? painted.reflectance(i).g / texture->mean().g : 1.0;
-        detail.push_back({d, d, d});
-        if (i >= painted.first_patch(1))
-            expected.radiosity[i] = expected.radiosity[i] + plain.emittance(i);
-        light.radiosity[i] = detail[i] * expected.radiosity[i];
+        const Rgb rho = painted.reflectance(i);
+        const Rgb mean = texture->mean();
+        detail.push_back(i < painted.first_patch(1) ? Rgb{rho.r / mean.r, rho.g / mean.g, rho.b / mean.b}
+                                                    : Rgb{1, 1, 1});
+        expected.radiosity[i] += plain.emittance(i);
+        light.radiosity[i] = textured(i, expected.radiosity[i]);
         light.variance[i] = detail[i] * detail[i] * expected.variance[i];
     }
     denoise(plain, 2, expected.radiosity, expected.variance);
     denoise(painted, 2, light.radiosity, light.variance);
-    for (std::uint32_t i = 0; i < painted.patch_count(); ++i) {
-        CHECK(light.radiosity[i].g == doctest::Approx(detail[i].g * expected.radiosity[i].g).epsilon(1e-9)); // rounding
-        CHECK(light.variance[i].g == doctest::Approx(detail[i].g * detail[i].g * expected.variance[i].g).epsilon(1e-9));
-    }
+    for (std::uint32_t i = 0; i < painted.patch_count(); ++i)
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b}) { // but for rounding
+            CHECK(light.radiosity[i].*c == doctest::Approx(textured(i, expected.radiosity[i]).*c).epsilon(1e-9));
+            CHECK(light.variance[i].*c ==
+                  doctest::Approx((detail[i] * detail[i] * expected.variance[i]).*c).epsilon(1e-9));
+        }
 }
 
 TEST_CASE("a patch that is known to be dark stays so among noisy bright ones, and what has no variance is not touched")

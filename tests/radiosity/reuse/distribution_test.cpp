@@ -96,6 +96,8 @@ TEST_CASE("negative losses are taken from the other kind, or else from the power
             remove_negative_light(scene, state);
             CHECK(state.escaped.g >= 0.0);
             CHECK(state.behind.g >= 0.0);
+            CHECK(state.escaped.g <= std::max(0.0, escaped));
+            CHECK(state.behind.g <= std::max(0.0, behind));
             CHECK(state.escaped.g + state.behind.g == std::max(0.0, escaped + behind));
             CHECK(10.0 - state.emitted.g == escaped + behind - (state.escaped.g + state.behind.g));
             if (escaped >= 0.0 && behind >= 0.0)

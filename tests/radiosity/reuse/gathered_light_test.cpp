@@ -256,6 +256,39 @@ TEST_CASE("of a two-sided scene only fronts emit")
     CHECK(lost.escaped.g == 0.0);
 }
 
+// A lamp that is larger than the patches, a tiny one in front of a wall, and a row of small ones. Nothing hides them,
+// so that no noise is left but that of clusters of lights, which err by 3 %.
+TEST_CASE("the backs of a room that is turned inside out receive what the fronts of the other do")
+{
+    for (const double patch_size : {0.25, 3.0}) {
+        std::vector<double> of_room;
+        for (const bool is_turned : {false, true}) {
+            SceneBuilder builder;
+            const std::uint32_t grey = builder.grey(0.5, 0.0);
+            if (is_turned)
+                builder.box({-2, 1, 0}, {-1, 2, 1.5}, grey);
+            else
+                builder.room({-2, 1, 0}, {-1, 2, 1.5}, grey);
+            builder.rectangle({-1.7, 1.5, 0.6}, {0, 0, 0.4}, {0.4, 0, 0}, builder.grey(0.5, 1.0));    // shines up
+            builder.rectangle({-1.02, 1.3, 0.4}, {0, 0.01, 0}, {0, 0, 0.02}, builder.grey(0.5, 5e3)); // along x
+            for (int k = 0; k < 8; ++k)
+                builder.rectangle({-1.9 + 0.1 * k, 1.8, 0.1}, {0.02, 0, 0}, {0, 0.02, 0}, builder.grey(0.5, 100.0));
+            const Scene scene = builder.scene(patch_size, true);
+            const std::vector<Rgb> incident = gathered(scene, 1u << 14).incident;
+            for (std::uint32_t wall = 0; wall < 6; ++wall) {
+                double sum = 0.0;
+                const std::uint32_t first = scene.first_patch(wall, !is_turned);
+                for (std::uint32_t i = first; i < first + scene.tessellation(wall).cell_count(); ++i)
+                    sum += incident[i].g;
+                if (is_turned)
+                    CHECK(sum == doctest::Approx(of_room[wall]).epsilon(0.1).scale(0.0));
+                else
+                    of_room.push_back(sum);
+            }
+        }
+    }
+}
+
 TEST_CASE("gathered light is the same for any number of threads")
 {
     const Scene scene = framed_lamp().scene(0.1);

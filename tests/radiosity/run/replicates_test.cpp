@@ -3,7 +3,9 @@
 
 #include "radiosity/run/replicates.h"
 
+#include "irregular_scene.h"
 #include "paused_work.h"
+#include "radiosity/reuse/denoising.h"
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
@@ -192,6 +194,27 @@ TEST_CASE("the standard error is that of the mean of independent runs")
             break;
         }
     }
+}
+
+TEST_CASE("denoised replicates are their mean and the squares of its errors, denoised")
+{
+    const Scene scene = irregular_scene();
+    SolveOptions options = options_of(Method::reuse, "sobol-owen", std::uint64_t{64} * scene.patch_count());
+    options.all_pairs = false;
+    options.denoise = false;
+    const Preparation preparation = prepare(scene, options);
+    const Solution plain = solve_replicates(scene, preparation, options, 3, silent);
+    options.denoise = true;
+    const Solution smooth = solve_replicates(scene, preparation, options, 3, silent);
+    std::vector<Rgb> radiosity = plain.radiosity;
+    std::vector<Rgb> variance;
+    for (const Rgb& error : plain.standard_error)
+        variance.push_back(error * error);
+    denoise(scene, 1, radiosity, variance);
+    CHECK(smooth.radiosity != plain.radiosity);
+    CHECK(smooth.radiosity == radiosity);
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        CHECK(smooth.standard_error[i].g == doctest::Approx(std::sqrt(variance[i].g)).epsilon(1e-12));
 }
 
 // The squares of the errors, by the areas of the patches, over the power that leaves them: without the sky's.

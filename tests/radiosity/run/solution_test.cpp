@@ -33,7 +33,10 @@ Solution part(std::uint64_t lines, double radiosity, double error)
     Solution solution;
     solution.radiosity = {grey(radiosity), grey(2.0 * radiosity)};
     solution.unshot = {grey(0.01 * radiosity), Rgb{}};
-    solution.all_lines = solution.local_lines = lines;
+    solution.all_lines = lines;
+    solution.global_lines = lines / 10;
+    solution.global_lines_cast = lines / 4; // of which some miss the scene
+    solution.local_lines = lines - solution.global_lines;
     solution.replicates = 4;
     solution.standard_error = {grey(error), grey(3.0 * error)};
     return solution;
@@ -77,7 +80,9 @@ TEST_CASE("independent results are averaged by their lines, and so are the squar
     CHECK(sum.standard_error[0].r == doctest::Approx(error));
     CHECK(sum.standard_error[1].b == doctest::Approx(3.0 * error));
     CHECK(sum.all_lines == 4000);
-    CHECK(sum.local_lines == 4000);
+    CHECK(sum.local_lines == 3600);
+    CHECK(sum.global_lines == 400);
+    CHECK(sum.global_lines_cast == 1000);
     // (1) with areas of 1 and 3: the mean square error over the square of the mean radiosity of 7.
     REQUIRE(sum.relative_standard_error.has_value());
     CHECK(*sum.relative_standard_error == doctest::Approx(std::sqrt((1.0 + 3.0 * 9.0) / 4.0) * error / 7.0));

@@ -307,7 +307,7 @@ TEST_CASE("of what lamps, sky and sun would bring each face has a part by its ar
         yields = light_yields(dark.candidates, *dark.scene);
     }
     REQUIRE(yields.size() == 4);
-    CHECK(yields[0].option == " --lamp lamp=10");
+    CHECK(yields[0].advice.value == "lamp=10");
     CHECK(yields[0].emitted == doctest::Approx(10.0 * (0.15 + 1.6 * 4.1)));
     CHECK(yields[0].arriving == doctest::Approx(10.0 * 0.15));
     CHECK(yields[2].arriving == doctest::Approx(10.0 * 2.0 * (1.6 * 2.9 + 1.6 * 4.1 + 2.9 * 4.1)));

@@ -282,25 +282,31 @@ TEST_CASE("the share of a pair is told by the lines of the other pairs")
     CHECK(open <= 2.0);
 }
 
-// A patch that 16 lines cross is trusted by half, so that of what a pair of them found, beyond what its block lets
-// expect, a quarter counts. The only line was not free, so the surfaces are in two spaces: with one line more, that
-// stands for the next larger blocks, the share of the whole scene is 1/2, of the spaces 1/4, of the surfaces 1/8 and of
-// the middle blocks 1/16, which is left without the pair's own.
+// A patch that 16 lines cross is trusted by half, one that 32 cross by 16/17, so that of what a pair of them found,
+// beyond what its block lets expect, 8/17 counts. The only line was not free, so the surfaces are in two spaces: with
+// one line more, that stands for the next larger blocks, the share of the whole scene is 1/2, of the spaces 1/4, of the
+// surfaces 1/8 and of the middle blocks 1/16, which is left without the pair's own.
 TEST_CASE("what patches found that few lines cross counts in part")
 {
-    SceneBuilder builder;
-    const std::uint32_t grey = builder.grey(0.5, 1.0);
-    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, grey).rectangle({0, 2, 0}, {1, 0, 0}, {0, 0, 1}, grey);
-    const Scene scene = builder.scene(1.0);
-    REQUIRE(scene.patch_count() == 2);
-    const Case problem(scene);
-    PairCounts counts(2);
-    counts.pairs.at(1, 0) = {0, 1};
-    const double crossing_area = 1.0 / 16.0;
-    const ExchangeEstimate estimate = estimate_exchange(scene, problem.unoccluded, counts, crossing_area, 1);
-    const auto g = static_cast<double>(problem.unoccluded.at(1, 0));
-    CHECK(static_cast<double>(estimate.exchange.at(1, 0)) ==
-          doctest::Approx((g - 0.25 * crossing_area) / 16.0).epsilon(1e-6).scale(0.0)); // of single precision
+    for (const double other_width : {1.0, 2.0})
+        for (const bool floor_first : {true, false}) {
+            SceneBuilder builder;
+            const std::uint32_t grey = builder.grey(0.5, 1.0);
+            const Surface floor = {Shape::parallelogram, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+            const Surface ceiling = {Shape::parallelogram, {0, 2, 0}, {other_width, 0, 0}, {0, 0, 1}};
+            builder.surface(floor_first ? floor : ceiling, grey).surface(floor_first ? ceiling : floor, grey);
+            const Scene scene = builder.scene(other_width);
+            REQUIRE(scene.patch_count() == 2);
+            const Case problem(scene);
+            PairCounts counts(2);
+            counts.pairs.at(1, 0) = {0, 1};
+            const double crossing_area = 1.0 / 16.0;
+            const ExchangeEstimate estimate = estimate_exchange(scene, problem.unoccluded, counts, crossing_area, 1);
+            const auto g = static_cast<double>(problem.unoccluded.at(1, 0));
+            const double trusted = 0.5 * (other_width == 1.0 ? 0.5 : 16.0 / 17.0);
+            CHECK(static_cast<double>(estimate.exchange.at(1, 0)) ==
+                  doctest::Approx((g - trusted * crossing_area) / 16.0).epsilon(1e-6).scale(0.0)); // single precision
+        }
 }
 
 } // namespace exchange_estimate_test

@@ -303,13 +303,15 @@ TEST_CASE("what many rays of one patch say is not scaled by the noise of the few
     CHECK(std::sqrt(differences / squares) < 0.01);
 }
 
-// Each patch is the only one of its surface.
+// Between the two is a plate in the open, all of whose rays are lost. Each patch is the only one of its surface, or the
+// surfaces are those of the scene.
 TEST_CASE("a closed room beside one that loses light keeps its own")
 {
     SceneBuilder builder;
     const std::uint32_t grey = builder.grey(0.5, 1.0);
     builder.room({0, 0, 0}, {1, 1, 1}, grey).box({0.2, 0.2, 0.2}, {0.5, 0.6, 0.7}, grey);
     const std::size_t closed = builder.file().surfaces.size();
+    builder.rectangle({1.1, 3, 0.2}, {0, 0, 0.3}, {0.3, 0, 0}, grey);
     const Scene open = open_room();
     for (const Surface& surface : open.surfaces())
         builder.surface({surface.shape, surface.origin + Vec3{2, 0, 0}, surface.edge_u, surface.edge_v}, grey);
@@ -317,12 +319,62 @@ TEST_CASE("a closed room beside one that loses light keeps its own")
     const Counted all = counted(scene, 16.0);
     std::vector<std::uint32_t> alone(scene.patch_count());
     std::iota(alone.begin(), alone.end(), 0u);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), alone, {}, 0.0, 2);
-    double lost[2] = {};
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        lost[scene.surface_of(i) < closed ? 0 : 1] += exchange.escaping(i) + exchange.behind(i);
-    CHECK(lost[0] < 1e-9);
-    CHECK(lost[1] > 0.5);
+    for (const std::vector<std::uint32_t>& side : {alone, sides(scene)}) {
+        const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), side, {}, 0.0, 2);
+        double lost[3] = {}; // by the closed room, the plate and the open room
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const std::uint32_t surface = scene.surface_of(i);
+            lost[surface < closed ? 0 : surface == closed ? 1 : 2] += exchange.escaping(i) + exchange.behind(i);
+        }
+        CHECK(lost[0] < 1e-9);
+        CHECK(lost[1] == doctest::Approx(0.09).epsilon(1e-6));
+        CHECK(lost[2] > 0.5);
+    }
+}
+
+// A sheet with one face hides a part of what is outside, and its back takes light. The oracle is the definition: for
+// each patch the second term of Returns sums to zero over its rays. What is lost behind the sheet had brought nothing.
+TEST_CASE("what a ray takes away too much the other rays take away too little, below a sky and without one")
+{
+    SceneFile open = open_room().file();
+    open.surfaces.push_back({Shape::parallelogram, {0.1, 0.15, 1.1}, {0.75, 0, 0}, {0, 0.7, 0.1}});
+    for (auto* list : {&open.material, &open.group, &open.line})
+        list->push_back(0);
+    for (const bool has_sky : {false, true}) {
+        CAPTURE(has_sky);
+        SceneFile file = open;
+        if (has_sky)
+            add_sky(file, {1, 1, 1});
+        const Scene scene(file, 0.13);
+        std::vector<std::uint32_t> sky;
+        std::vector<double> rays = rays_of_patches(scene, 9.0);
+        std::vector<Rgb> radiosity;
+        std::vector<Rgb> reflectance;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const bool is_sky = scene.is_sky_patch(i);
+            radiosity.push_back(is_sky ? Rgb{7.0, 0.0, 3.0} : Rgb{1.0 + 0.01 * i, 2.0 + std::sin(i), 1.0});
+            reflectance.push_back(is_sky ? Rgb{} : Rgb{0.9, 0.5, i % 2 == 0 ? 0.0 : 0.4});
+            if (is_sky) {
+                sky.push_back(i);
+                rays[i] = 0.0;
+            }
+        }
+        const Counted all = counted(scene, rays);
+        const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), sky, 0.0,
+                                      2);
+        const SparseExchange::Returns returns = exchange.returns(radiosity, reflectance, 2);
+        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+            double sum = returns.escaped.*c + returns.behind.*c;
+            double sizes = 0.0;
+            for (const Rgb& incident : returns.incident) {
+                sum += incident.*c;
+                sizes += std::abs(incident.*c);
+            }
+            CHECK(std::abs(sum) < 1e-5 * sizes); // light is multiplied in single precision
+            CHECK(returns.behind.*c > 1e-3 * sizes);
+            CHECK((returns.escaped.*c != 0.0) == !has_sky);
+        }
+    }
 }
 
 // With the radiosity of all and of the sky equal, all rays of a patch bring the same.
