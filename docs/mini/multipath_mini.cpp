@@ -276,7 +276,12 @@ std::uint64_t shoot_pass(int pass, double threshold, double power_by_line)
     };
     std::vector<Shot> shots;
     Vec excess, sent;
-    double wanted = pass == 0 ? 0.5 : random_of_pass(std::uint64_t(pass)); // rays so far, rounded down patch by patch
+    // Sources worth less than a ray get one by chance. Where there are none, the first pass is the same for every seed.
+    const bool by_chance = pass > 0 || std::any_of(patches.begin(), patches.end(), [&](const Patch& p) {
+                               const double power = share_above(p, threshold) * mean(p.unshot);
+                               return power > 0 && power < power_by_line;
+                           });
+    double wanted = by_chance ? random_of_pass(std::uint64_t(pass)) : 0.5; // rays so far, rounded down patch by patch
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const double share = share_above(patches[i], threshold);
         const double deserved = share * mean(patches[i].unshot) / power_by_line;
