@@ -53,6 +53,26 @@ TEST_CASE("the sun goes from north by east to south, whichever axis is up")
     CHECK(is_near(sun_at(0, 30, z, white).direction, {0, std::sqrt(0.75), 0.5}));
 }
 
+TEST_CASE("below a slanted zenith, too, azimuths and elevations are the angles between suns")
+{
+    const auto above_y = [](double azimuth, double elevation) {
+        return sun_at(azimuth, elevation, {0, 1, 0}, white).direction;
+    };
+    for (const Vec3 up : {Vec3{0, 1, 0.5}, {0.3, -0.4, 0.8}, {-2, 1, 0.1}, {0.2, 0.1, -3}}) {
+        CAPTURE(up.x);
+        const auto above = [&](double azimuth, double elevation) {
+            return sun_at(azimuth, elevation, up, white).direction;
+        };
+        const Vec3 zenith = normalized(up);
+        CHECK(is_near(above(77, 90), zenith));
+        CHECK(is_near(cross(above(90, 0), above(0, 0)), zenith)); // clockwise from above
+        for (const double elevation : {0.0, 20.0, 55.0})
+            for (const double azimuth : {0.0, 35.0, 100.0, 250.0})
+                CHECK(dot(above(azimuth, elevation), above(60, 40)) ==
+                      doctest::Approx(dot(above_y(azimuth, elevation), above_y(60, 40))).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("a surface that faces the sun slantwise gets the cosine, one that looks away nothing")
 {
     SceneBuilder builder;

@@ -160,6 +160,25 @@ TEST_CASE("the opacity is that of map_Kd if there is no map_d, and below one hal
     CHECK(surfaces_at(other, 0.5, 0.5).empty());
 }
 
+TEST_CASE("the brightness of a map_d counts, whichever its colour")
+{
+    Files files;
+    files.folder.write("grey.pgm", pgm({"#.", ".#"}));
+    const std::string mtl = "newmtl m\nKe 1\nKd 0.5\nmap_d ";
+    const SceneFile grey = files.read(square + quad, mtl + "grey.pgm\n");
+    for (std::size_t first = 0; first < 3; ++first) {
+        CAPTURE(first);
+        std::string image = "P3 2 2 255\n";
+        // The channels add up to 384 where it is opaque, else to 383.
+        for (const std::vector<int>& colour :
+             {std::vector{30, 150, 204}, {255, 100, 28}, {240, 80, 63}, {110, 20, 254}})
+            for (std::size_t c = 0; c < 3; ++c)
+                image += std::to_string(colour[(first + c) % 3]) + " ";
+        files.folder.write("coloured.ppm", image);
+        CHECK(files.read(square + quad, mtl + "coloured.ppm\n").surfaces == grey.surfaces);
+    }
+}
+
 TEST_CASE("opaque faces stay as they are, transparent ones are left out, and those without coordinates stay")
 {
     Files files;

@@ -59,6 +59,23 @@ TEST_CASE("a quad is a parallelogram up to the width of a crack")
     CHECK_FALSE(with_gap(1e-3, 1.1e-6));
 }
 
+// The limit is 1/1000 of the shorter side, which has the length 1.
+TEST_CASE("a textured quad stays whole where its texture is a parallelogram, in both coordinates")
+{
+    ObjMesh mesh = polygon({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {1, 1, 0}});
+    mesh.textured = {true};
+    mesh.corner_points = {0, 1, 2, 3};
+    const LargeVector<TexturePoint> points = {{0.3, 0.1}, {0.9, 0.9}, {-0.3, 1.8}, {-0.9, 1.0}};
+    for (const bool is_moved_far : {false, true})
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            for (double TexturePoint::*coordinate : {&TexturePoint::s, &TexturePoint::t}) {
+                CAPTURE(corner);
+                mesh.texture_points = points;
+                mesh.texture_points[corner].*coordinate += is_moved_far ? 0.0011 : 0.0009;
+                CHECK(cut(mesh).pieces.size() == (is_moved_far ? 2 : 1));
+            }
+}
+
 TEST_CASE("other quads are cut along the diagonal from the first corner, concave ones along the one inside")
 {
     const MeshPieces trapezium = cut(polygon({{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {1, 1, 0}}));

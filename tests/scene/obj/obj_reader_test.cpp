@@ -165,6 +165,18 @@ TEST_CASE("a lamp in Ka is found on request, and pointed out without")
     CHECK(all_bright.remedies() == daylight);
 }
 
+TEST_CASE("a lamp in Ka of a single colour is pointed out, whichever it is")
+{
+    for (const char* colour : {"5 0 0", "0 5 0", "0 0 5"}) {
+        CAPTURE(colour);
+        const SceneText text{"mtllib room.mtl\nusemtl lamp\n" + square + "f 1 2 3 4\nusemtl wall\n" + above +
+                                 "f 8 7 6 5\n",
+                             std::string("newmtl lamp\nKa ") + colour + "\nKd 0.5\nnewmtl wall\nKa 0.9 1 1\nKd 0.5\n"};
+        CHECK(contains(text.problem(), "to read lamps from Ka (`lamp`)"));
+        CHECK(text.remedies() == Remedies{{Remedy::emission_from, "Ka"}});
+    }
+}
+
 // A surface that is only dropped faces emits nothing.
 TEST_CASE("a lamp without area is no emitter")
 {
@@ -314,6 +326,26 @@ TEST_CASE("of what lamps, sky and sun would bring each face has a part by its ar
     const Vec3 sun = sun_at(150.0, 40.0, {0, 1, 0}, {1, 1, 1}).direction;
     CHECK(yields[3].arriving == doctest::Approx(20.0 * (2.9 * 4.1 * std::abs(sun.x) + 1.6 * 4.1 * std::abs(sun.y) +
                                                         1.6 * 2.9 * std::abs(sun.z))));
+}
+
+// Two faces below a lamp, of which either may be turned over.
+TEST_CASE("what a lamp would bring to two faces is what it would bring to each while the other one shows its back")
+{
+    const auto arriving = [](const char* near, const char* far) {
+        const std::string lamp = "v 0.2 2 0.3\nv 0.9 2 0.3\nv 0.9 2 0.7\nv 0.2 2 0.7\ng lamp\nf 1 2 3 4\n";
+        const std::string floor = "v 0 0 0\nv 0 0 1.3\nv 0.6 0 1.3\nv 0.6 0 0\nv 2.1 0.2 1.3\nv 2.1 0.2 0\ng floor\n";
+        try {
+            SceneText{lamp + floor + near + far, ""}.read();
+        } catch (const DarkScene& dark) {
+            return light_yields(dark.candidates, *dark.scene)[0].arriving;
+        }
+        return 0.0;
+    };
+    const double near = arriving("f 5 6 7 8\n", "f 8 10 9 7\n");
+    const double far = arriving("f 8 7 6 5\n", "f 7 9 10 8\n");
+    CHECK(near > 0.1 * far);
+    CHECK(far > 0.1 * near);
+    CHECK(arriving("f 5 6 7 8\n", "f 7 9 10 8\n") == doctest::Approx(near + far).epsilon(1e-9));
 }
 
 TEST_CASE("a closed scene where nothing absorbs one colour is refused, an open one is not")

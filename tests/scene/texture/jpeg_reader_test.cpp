@@ -213,6 +213,19 @@ TEST_CASE("components named R, G and B are colours, with an Adobe segment and wi
     check_pixels(std::string(rgb_file).erase(adobe - 4, 16), 5, 3, rgb_pixels);
 }
 
+// The Adobe segment of the other file says that the components are colours as they are.
+TEST_CASE("a JFIF file has luma and chroma, whatever an Adobe segment before or after says")
+{
+    const std::string adobe = rgb_file.substr(rgb_file.find("Adobe") - 4, 16);
+    REQUIRE(adobe.back() == '\0');
+    const std::size_t start = 2;
+    const std::size_t after_jfif = start + 18;
+    for (const std::size_t place : {start, after_jfif}) {
+        CAPTURE(place);
+        check_pixels(std::string(baseline_file).insert(place, adobe), 17, 13, colour_pixels);
+    }
+}
+
 TEST_CASE("four inks are multiplied to colours")
 {
     check_pixels(inks_file, 5, 3, inks_pixels);
