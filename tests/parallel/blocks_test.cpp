@@ -1,5 +1,7 @@
 #include "parallel/blocks.h"
 
+#include "base/errors.h"
+
 #include <atomic>
 #include <doctest/doctest.h>
 #include <stdexcept>
@@ -140,3 +142,55 @@ TEST_CASE("work within work, and works of different threads, do not disturb each
 }
 
 } // namespace thread_pool_test
+
+namespace shard_range_test {
+
+using namespace multipath;
+
+namespace {
+
+constexpr std::uint64_t units = 11;
+
+ShardRange done(std::uint64_t number, std::uint64_t of)
+{
+    ShardRange range = ShardRange::of(units, {number, of});
+    range.next = range.end;
+    return range;
+}
+
+} // namespace
+
+TEST_CASE("shards that have done all their units make up the whole, in any order")
+{
+    for (const std::vector<ShardRange>& ranges :
+         {std::vector{done(0, 1)}, {done(1, 2), done(0, 2)}, {done(2, 3), done(0, 3), done(1, 3)}}) {
+        const ShardRange whole = union_of(ranges);
+        CHECK(whole.all == units);
+        CHECK(whole.first == 0);
+        CHECK(whole.next == units);
+        CHECK(whole.end == units);
+        CHECK(!whole.is_shard());
+    }
+}
+
+TEST_CASE("shards do not make up the whole if one is missing, there twice, of other work or not at its end")
+{
+    const std::vector<ShardRange> all = {done(0, 3), done(1, 3), done(2, 3)};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        CAPTURE(k);
+        std::vector<ShardRange> ranges = all;
+        ranges[k] = all[(k + 1) % 3];
+        CHECK_THROWS_AS(union_of(ranges), ArchiveError);
+        ranges = all;
+        ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(k));
+        CHECK_THROWS_AS(union_of(ranges), ArchiveError);
+        ranges = all;
+        ++ranges[k].all;
+        CHECK_THROWS_AS(union_of(ranges), ArchiveError);
+        ranges = all;
+        --ranges[k].next;
+        CHECK_THROWS_AS(union_of(ranges), ArchiveError);
+    }
+}
+
+} // namespace shard_range_test

@@ -9,6 +9,7 @@
 #include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
+#include "transport/lines/global_lines.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -193,6 +194,24 @@ TEST_CASE("the standard error is that of the mean of independent runs")
             }
             break;
         }
+    }
+}
+
+// The sequence and the order of the lines are the same for every seed.
+TEST_CASE("a shard of independent lines is a run of its own that leaves out the items of those before")
+{
+    const Scene scene = irregular_scene();
+    SolveOptions options = options_of(Method::global, "sobol", 5003);
+    options.skip = 70;
+    const GlobalLines lines(scene.bounds(), chords_of(options));
+    for (const Shard shard : {Shard{0, 3}, Shard{1, 3}, Shard{2, 3}}) {
+        CAPTURE(shard.number);
+        SolveOptions alone = options;
+        alone.lines = shard.end(options.lines) - shard.begin(options.lines);
+        alone.skip += shard.number == 0 ? 0 : lines.lines_to_cast(shard.begin(options.lines));
+        const Solution part = solve_incrementally(scene, options, 1, silent, nullptr, shard);
+        CHECK(part.all_lines == alone.lines);
+        CHECK(part.radiosity == solve(scene, alone, silent).radiosity);
     }
 }
 

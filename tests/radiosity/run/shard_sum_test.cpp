@@ -30,6 +30,18 @@ Scene room()
     return builder.box({0.5, 0.2, 0.6}, {1.1, 0.9, 1.2}, builder.material({0.7, 0.3, 0.2}, {})).scene(0.25);
 }
 
+/// A room of another shape whose ceiling is open, with a sheet in it: light escapes, and meets the back of the sheet.
+Scene open_room()
+{
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 3}, {2, 0, 0}, grey).rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 3}, grey);
+    builder.rectangle({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, grey).rectangle({0, 0, 3}, {0, 1, 0}, {2, 0, 0}, grey);
+    builder.rectangle({2, 0, 0}, {0, 0, 3}, {0, 1, 0}, builder.grey(0.2, 2.0));
+    return builder.rectangle({0.5, 0.3, 0.4}, {0.9, 0, 0}, {0, 0.2, 1.1}, builder.material({0.7, 0.3, 0.2}, {}))
+        .scene(0.4);
+}
+
 std::unique_ptr<TestCheckpoint> checkpoint_from(const std::optional<SavedWork>& work)
 {
     return work ? std::make_unique<TestCheckpoint>(-1, *work) : std::make_unique<TestCheckpoint>(-1);
@@ -70,7 +82,13 @@ SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std:
 
 TEST_CASE("shares of a run add up to the bits of one run, after each stage that is shared")
 {
-    const Scene scene = room();
+    bool open = false;
+    SUBCASE("in a room") {}
+    SUBCASE("where light is lost")
+    {
+        open = true;
+    }
+    const Scene scene = open ? open_room() : room();
     SolveOptions options;
     options.method = Method::reuse;
     options.sequence = "sobol";
@@ -85,6 +103,8 @@ TEST_CASE("shares of a run add up to the bits of one run, after each stage that 
     }
     TestCheckpoint alone(-1);
     const Solution whole = solved(scene, options, alone);
+    CHECK((mean(whole.balance.escaped) > 0.0) == open);
+    CHECK((mean(whole.balance.behind) > 0.0) == open);
     std::optional<SavedWork> work;
     for (int stage = 0; stage < stages; ++stage) {
         CAPTURE(stage);
