@@ -237,6 +237,21 @@ TEST_CASE("doubled faces, bright materials and strange scales are named")
     }
 }
 
+TEST_CASE("a material that reflects too much of one colour is as bright as one of another colour")
+{
+    std::vector<Finding> found;
+    for (const Rgb rho : {Rgb{0.98, 0.2, 0.3}, Rgb{0.3, 0.98, 0.2}, Rgb{0.2, 0.3, 0.98}}) {
+        Materials m;
+        const std::uint32_t neon = m.builder.material("neon", rho, {});
+        const std::uint32_t pale = m.builder.material("pale", {0.94, 0.94, 0.94}, {});
+        m.builder.room({0, 0, 0}, {2, 1, 3}, {neon, m.lamp, m.wall, pale, m.wall, m.wall});
+        found.push_back(find(findings_of(m.builder.scene(1.0)), "reflectance"));
+        CHECK(mentions(found.back(), "1 material reflects 98 % of the light"));
+        CHECK(found.back().message == found.front().message);
+        CHECK(found.back().area_share == doctest::Approx(6.0 / 22.0));
+    }
+}
+
 TEST_CASE("what the reader noticed is passed on")
 {
     Materials m;

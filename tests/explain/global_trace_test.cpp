@@ -7,6 +7,7 @@
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
+#include <string>
 
 namespace global_trace_test {
 
@@ -130,6 +131,26 @@ TEST_CASE("what is told as lost is what the solver finds to have left the scene 
         CHECK(mean(balance.escaped) > 0.0);
         CHECK(mean(lost(trace, Segment::outside)) == doctest::Approx(mean(balance.escaped)).epsilon(1e-13));
         CHECK(mean(lost(trace, Segment::behind)) == doctest::Approx(mean(balance.behind)).epsilon(1e-13));
+    }
+}
+
+// All patches are of one size.
+TEST_CASE("a source sends all its power in as many forecasts as it is told to send")
+{
+    const Scene scene = open_scene();
+    for (const bool bidirectional : {true, false}) {
+        CAPTURE(bidirectional);
+        SolveOptions options = short_run(Method::global);
+        options.bidirectional = bidirectional;
+        const StageTrace trace = tell_all(scene, options);
+        const std::string before = "so it can send ";
+        const std::size_t begin = trace.context.at(1).find(before);
+        REQUIRE(begin != std::string::npos);
+        const double times = std::stod(trace.context[1].substr(begin + before.size())); // four digits
+        for (const TracedLine& line : trace.lines)
+            for (const Transfer& transfer : line.transfers)
+                if (const Rgb power = scene.area(transfer.from) * scene.emittance(transfer.from); power != Rgb{})
+                    CHECK(times * transfer.forecast.g == doctest::Approx(power.g).epsilon(1e-3));
     }
 }
 

@@ -181,6 +181,45 @@ TEST_CASE("contours lie where the interpolated values reach the numbers of the l
     }
 }
 
+// A wall that becomes brighter aside and, more so, upwards. With x of the scene up in the picture, what was a column is
+// a row, from below.
+TEST_CASE("contours turn with the camera")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, builder.grey(0.5, 0.0));
+    builder.rectangle({0, 0, 200}, {0, 1, 0}, {1, 0, 0}, builder.grey(0.0, 1.0)); // behind the camera
+    const Scene scene = builder.scene(1.0);
+    Quantity ramp{"ramp", {}};
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        const Vec3 centre = scene.patch(patch).shape.centre();
+        const double value = 0.3 * centre.x + 0.9 * centre.y;
+        ramp.values.push_back({value, value, value});
+    }
+    constexpr int side = 96;
+    const auto lined_pixels = [&](Vec3 up) {
+        const Camera camera = {{4, 4, 100}, {4, 4, 0}, up, 2.0 * std::atan(0.04) * 180.0 / 3.14159265358979};
+        ramp.contours = false;
+        const ScreenImage plain = false_colour(scene, ramp, camera, sized(side, side));
+        ramp.contours = true;
+        ScreenImage lined = false_colour(scene, ramp, camera, sized(side, side));
+        std::vector<char> result;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const auto* before = &plain.bytes[3 * pixel_index(side, x, y)];
+                result.push_back(std::equal(before, before + 3, lined.at(x, y)) ? 0 : 1);
+            }
+        return result;
+    };
+    const std::vector<char> upright = lined_pixels({0, 1, 0});
+    const std::vector<char> turned = lined_pixels({1, 0, 0});
+    CHECK(std::count(upright.begin(), upright.end(), 1) > 3 * side);
+    long different = 0; // by rounding, where a line just reaches a pixel
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            different += turned[pixel_index(side, x, y)] != upright[pixel_index(side, side - 1 - y, x)] ? 1 : 0;
+    CHECK(different <= 4);
+}
+
 TEST_CASE("what only touches a level has no contour")
 {
     const Scene scene = room_with_lamp();

@@ -1,5 +1,6 @@
 #include "study/convergence.h"
 
+#include "irregular_scene.h"
 #include "radiosity/run/statistics.h"
 #include "scene/scratch_folder.h"
 #include "test_scenes.h"
@@ -88,6 +89,35 @@ TEST_CASE("executions of a sequence without a seed are its successive stretches,
     CHECK(executed(0) == error_of(scene, options, reference));
     options.skip = 2048; // the cube's sphere has pi / 2 times its surface: 1571 chords for 1000 lines
     CHECK(executed(1) == error_of(scene, options, reference));
+}
+
+// The mean square over the areas of patches other than the sky's, relative to their mean radiosity.
+TEST_CASE("the sky has no part in the error of a point")
+{
+    const Scene scene = irregular_scene();
+    const Reference reference = {irregular_values(scene.patch_count(), 7), {}};
+    StudyPlan plan;
+    plan.curves = {curve("global", Method::global, "sobol")};
+    plan.line_counts = {700};
+    plan.executions = 1;
+    Journal journal;
+    const Study study = run_study(scene, reference, plan, journal, 1, silent);
+    SolveOptions options = plan.curves[0].options;
+    options.lines = 700;
+    const std::vector<Rgb> found = solve(scene, options, silent).radiosity;
+    double squares = 0.0;
+    double power = 0.0;
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (!scene.is_sky_patch(i)) {
+            const Rgb error = found[i] - reference.radiosity[i];
+            squares += scene.area(i) * mean(error * error);
+            power += scene.area(i) * mean(reference.radiosity[i]);
+            area += scene.area(i);
+        }
+    const CurvePoint point = study.curves.at(0).points.at(0);
+    CHECK(point.mean_square == doctest::Approx(squares / area).epsilon(1e-12));
+    CHECK(point.relative == doctest::Approx(squares * area / (power * power)).epsilon(1e-12));
 }
 
 TEST_CASE("executions of a random sequence are all different, also between numbers of lines")

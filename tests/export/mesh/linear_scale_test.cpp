@@ -28,6 +28,28 @@ TEST_CASE("white is what is brightest beside lamps and the hundredth part next t
     CHECK(linear_scale(scene, std::vector<Rgb>(scene.patch_count())) == 1.0);
 }
 
+// Of the cells a third is dark, and these are cut most finely, or the others.
+TEST_CASE("white does not depend on how finely the dark or the bright is cut")
+{
+    SceneBuilder builder;
+    builder.rectangle({0, 0, 0}, {9, 0, 1}, {0, 7, 0}, builder.grey(0.5, 0.0));
+    const Scene whole = builder.rectangle({0, 0, 9}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.5, 100.0)).scene(1.5);
+    const Scene cut = unevenly_refined(whole);
+    for (const std::uint32_t dark : {0u, 1u, 2u}) {
+        CAPTURE(dark);
+        const auto values_of = [&](const Scene& scene) {
+            std::vector<Rgb> values;
+            for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+                const Vec3 p = scene.patch(patch).shape.centre();
+                const std::uint32_t cell = whole.patch_at(scene.surface_of(patch), p.x / 9.0, p.y / 7.0, true);
+                values.push_back(cell % 3 == dark ? Rgb{0.2, 0.1, 0.1} : Rgb{1.0, 2.0, 3.0 + 0.01 * cell});
+            }
+            return values;
+        };
+        CHECK(linear_scale(cut, values_of(cut)) == linear_scale(whole, values_of(whole)));
+    }
+}
+
 TEST_CASE("where everything shines, lamps count")
 {
     SceneBuilder builder;

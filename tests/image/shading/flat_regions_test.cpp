@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace flat_regions_test {
 
@@ -14,14 +15,14 @@ using namespace multipath;
 
 namespace {
 
-/// A wall of 4 x 4 as a fan of needles around its corner, and a lamp before it.
-SceneBuilder fan()
+/// A wall as a fan of needles around its corner, and a lamp before it.
+SceneBuilder fan(double width = 4.0, double height = 4.0)
 {
     SceneBuilder builder;
     const std::uint32_t paint = builder.grey(0.5, 0.0);
     constexpr int count = 40;
-    const auto rim = [](int k) {
-        return k <= count ? Vec3{4, 4.0 * k / count, 0} : Vec3{4.0 * (2 * count - k) / count, 4, 0};
+    const auto rim = [&](int k) {
+        return k <= count ? Vec3{width, height * k / count, 0} : Vec3{width * (2 * count - k) / count, height, 0};
     };
     for (int k = 0; k < 2 * count; ++k)
         builder.triangle({0, 0, 0}, rim(k), rim(k + 1), paint);
@@ -40,11 +41,11 @@ std::vector<Rgb> ramp(const Scene& scene, double noise)
     return values;
 }
 
-double largest_error(const Scene& scene, const SmoothShading& shading)
+double largest_error(const Scene& scene, const SmoothShading& shading, double width = 4.0, double height = 4.0)
 {
     double largest = 0.0;
-    for (double x = 0.5; x < 4.0; x += 0.1)
-        for (double y = 0.5; y < 4.0; y += 0.1) {
+    for (double x = 0.5; x < width; x += 0.1)
+        for (double y = 0.5; y < height; y += 0.1) {
             const Hit hit = *scene.intersector().closest_hit({{x, y, 1.0}, {0, 0, -1}});
             largest = std::max(largest, std::abs(shading.at(hit).r - (1.0 + 0.2 * x + 0.1 * y)));
         }
@@ -67,6 +68,17 @@ TEST_CASE("noise of needles does not show as streaks")
     const Scene scene = fan().scene(0.5);
     const std::vector<Rgb> values = ramp(scene, 0.5);
     CHECK(largest_error(scene, SmoothShading(scene, values, 1)) < 0.1);
+}
+
+// The axes of the region lie along the wall and upwards.
+TEST_CASE("noise does not show over a wall that is taller than wide, or wider than tall")
+{
+    for (const auto& [width, height] : {std::pair{3.0, 8.0}, {8.0, 3.0}}) {
+        CAPTURE(width);
+        const Scene scene = fan(width, height).scene(0.5);
+        const SmoothShading shading(scene, ramp(scene, 0.5), 1);
+        CHECK(largest_error(scene, shading, width, height) < 0.12);
+    }
 }
 
 TEST_CASE("regions hold needles and what shares their plane and material, and nothing else")

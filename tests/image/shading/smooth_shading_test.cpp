@@ -1,5 +1,6 @@
 #include "image/shading/smooth_shading.h"
 
+#include "scene/texture/texture.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace smooth_shading_test {
@@ -156,6 +158,33 @@ TEST_CASE("the two sides of a surface are shaded each from its own patches")
     const SmoothShading shading(scene, values, 1);
     CHECK(shown(shading, 1, 0.3, 0.3, true) == doctest::Approx(2.0));
     CHECK(shown(shading, 1, 0.3, 0.3, false) == doctest::Approx(4.0));
+}
+
+// A patch for each pixel of the texture. Where it is black in a channel, the grey light shows in the others.
+TEST_CASE("without its texture a surface in grey light has one colour, whichever colours its pixels lack")
+{
+    SceneBuilder builder = with_lamp();
+    builder.rectangle({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, builder.material({}, {}));
+    SceneFile file = builder.file();
+    file.textures = {std::make_shared<const Texture>(
+        "colours.ppm", "P3 3 2 255\n200 0 0 0 150 90 255 255 255\n0 0 70 120 0 230 30 60 0\n", false)};
+    Material& painted = file.materials[file.material[1]];
+    painted.texture = 0;
+    painted.texture_scale = {0.9, 0.7, 0.5};
+    painted.reflectance = painted.texture_scale * file.textures[0]->mean();
+    file.texture_frames = {{}, {{0, 0}, {1, 0}, {0, 1}, true}};
+    const Scene scene(file, 1.0);
+    REQUIRE(scene.patch_count() == 7);
+    std::vector<Rgb> radiosity;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        radiosity.push_back(scene.emittance(patch) + 3.0 * scene.reflectance(patch));
+    const std::vector<Rgb> plain = without_texture(scene, radiosity);
+    for (std::uint32_t patch = 1; patch < scene.patch_count(); ++patch) {
+        CAPTURE(patch);
+        CHECK(plain[patch].r == doctest::Approx(3.0 * painted.reflectance.r).epsilon(1e-12));
+        CHECK(plain[patch].g == doctest::Approx(3.0 * painted.reflectance.g).epsilon(1e-12));
+        CHECK(plain[patch].b == doctest::Approx(3.0 * painted.reflectance.b).epsilon(1e-12));
+    }
 }
 
 TEST_CASE("the values at a patch's corners are those that the corners show")
