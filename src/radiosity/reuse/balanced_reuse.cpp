@@ -163,7 +163,6 @@ public:
           hemisphere_(n_),
           expected_(large_vector<double>(n_)),
           rays_of_counts_(large_vector<double>(n_)),
-          first_losses_(large_vector<SparseExchange::LossCounts>(n_)),
           counts_(n_),
           fresh_(n_),
           source_(large_vector<Rgb>(n_)),
@@ -204,7 +203,7 @@ private:
         hemisphere_.visit(archive, "hemisphere");
         archive.list<double>("expected", expected_);
         archive.list<double>("rays of counts", rays_of_counts_);
-        archive.list<double>("first losses", first_losses_);
+        archive.value<std::uint64_t>("loses rays", loses_rays_);
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
@@ -225,6 +224,10 @@ private:
     }
 
     bool is_last() const { return round_ + 1 == rounds; }
+    /// Where rays get lost, those of the first round do not count later. What they have found decides, through the
+    /// patches around, how many more rays a patch gets: light that one of them finds by chance would count less, among
+    /// many, than darkness found by the few rays of other patches.
+    bool forgets_first() const { return round_ == 1 && loses_rays_ != 0; }
     std::uint64_t light_blocks() const { return GatheredLight::blocks(n_).count(); }
 
     /// Plans the rays of the next round, or of the next part of the last one.
@@ -278,12 +281,12 @@ private:
             constexpr double left_of_variance = 0.35;
             importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
             importance.light[i] = sees_light ? worth * light[i] : 0.0;
-            had.hemisphere[i] = rays_of_counts_[i];
+            had.hemisphere[i] = forgets_first() ? 0.0 : rays_of_counts_[i];
             had.light[i] = light_ ? light_->rays(i) : 0.0;
-            if (round_ == 0) {
-                least.hemisphere[i] = rays_.indirect ? 1.0 : 0.0;
+            if (rays_.indirect && (round_ == 0 || forgets_first()))
+                least.hemisphere[i] = round_ == 0 ? 1.0 : 2.0;
+            if (round_ == 0)
                 least.light[i] = sees_light ? 1.0 : 0.0;
-            }
             constexpr double to_see_losses =
                 1.0 / 32.0; // fraction of the rays that leave the sources, to estimate losses
             if (light_)
@@ -367,24 +370,12 @@ private:
         return result;
     }
 
-    SparseExchange::LossCounts losses(std::uint32_t i) const
+    std::vector<SparseExchange::LossCounts> losses() const
     {
-        return {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))};
-    }
-
-    /// The losses of each patch without the rays of the first round, if it has others. What these rays have found
-    /// decides, through the patches around, how many more a patch gets: light that a ray finds by chance would count
-    /// less, among many, than darkness found by the few rays of other patches.
-    std::vector<SparseExchange::LossCounts> later_losses() const
-    {
-        auto result = large_vector<SparseExchange::LossCounts>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i) {
-            const SparseExchange::LossCounts& first = first_losses_[i];
-            result[i] = losses(i);
-            if (result[i].cast > first.cast)
-                result[i] = {result[i].cast - first.cast, result[i].escaped - first.escaped,
-                             result[i].behind - first.behind};
-        }
+        auto result = vector_with_capacity<SparseExchange::LossCounts>(n_);
+        for (std::uint32_t i = 0; i < n_; ++i)
+            result.push_back(
+                {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))});
         return result;
     }
 
@@ -417,8 +408,7 @@ private:
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
                              "shared; expected more memory, or no shards");
-        const auto loses = [](const SparseExchange::LossCounts& first) { return first.lost() > 0.0; };
-        if (parts_ > 1 || std::any_of(first_losses_.begin(), first_losses_.end(), loses))
+        if (parts_ > 1 || loses_rays_)
             give_all_some(hemisphere);
     }
 
@@ -470,24 +460,28 @@ private:
         fresh_ = LineCounts(n_);
     }
 
+    void forget_counts()
+    {
+        counts_ = LineCounts(n_);
+        std::fill(rays_of_counts_.begin(), rays_of_counts_.end(), 0.0);
+    }
+
     void end_of_round()
     {
+        if (forgets_first())
+            forget_counts();
         take_fresh_counts();
         if (!is_last()) {
-            if (round_ == 0)
-                for (std::uint32_t i = 0; i < n_; ++i)
-                    first_losses_[i] = losses(i);
+            for (std::uint32_t i = 0; i < n_ && round_ == 0; ++i)
+                loses_rays_ |= counts_.escaped(i) + counts_.behind(i) > 0 ? 1u : 0u;
             if (rays_.indirect)
                 guess_ = rough_radiosity();
             ++round_;
             return;
         }
         solve_part();
-        if (++part_ < parts_) {
-            counts_ = LineCounts(n_);
-            std::fill(rays_of_counts_.begin(), rays_of_counts_.end(), 0.0);
-            std::fill(first_losses_.begin(), first_losses_.end(), SparseExchange::LossCounts{});
-        }
+        if (++part_ < parts_)
+            forget_counts();
     }
 
     /// The result of a run that is stopped: solves with the rays so far, except in a shard, in the first round, and
@@ -556,8 +550,8 @@ private:
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
-            const SparseExchange exchange(counts_, scene_.areas(), densities(), later_losses(), sides_of_patches(),
-                                          sky_, unseen_rays, run_.threads);
+            const SparseExchange exchange(counts_, scene_.areas(), densities(), losses(), sides_of_patches(), sky_,
+                                          unseen_rays, run_.threads);
             ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
             if (solution.converged) {
                 const double share = 1.0 / static_cast<double>(parts_);
@@ -731,7 +725,7 @@ private:
     RayBatch hemisphere_;
     std::vector<double> expected_;       ///< rays over the hemispheres, for all parts of the last round
     std::vector<double> rays_of_counts_; ///< number of rays that left each patch
-    std::vector<SparseExchange::LossCounts> first_losses_; ///< of the first round, as far as they are in the counts
+    std::uint64_t loses_rays_ = 0;       ///< 1 if any ray of the first round met no patch
     LineCounts counts_;
     LineCounts fresh_; ///< of the current round
     Field source_;     ///< [W/m^2] unshot after the direct light has arrived

@@ -129,14 +129,15 @@ void distribute(const Scene& scene, const Exchange& exchange, const std::vector<
 
 namespace {
 
-/// The same for one channel. With H' = max(0, H - mu (1 - rho)), the absorbed power is a decreasing, convex and
-/// piecewise linear function of mu. So Newton's iteration from mu = 0 approaches the solution from below, segment by
-/// segment.
+/// The same for the irradiance of one channel. With H' = max(0, H - mu (1 - rho)), the absorbed power is a decreasing,
+/// convex and piecewise linear function of mu. So Newton's iteration from mu = 0 approaches the solution from below,
+/// segment by segment.
 void remove_negative_light(const Scene& scene, double Rgb::*channel, PowerState& state)
 {
     const auto patches = scene.patch_count();
-    double wanted = 0.0; // [W] absorbed power
-    bool any = false;
+    // [W] Absorbed power. Patches have received what negative losses lack.
+    double wanted = std::min(0.0, state.escaped.*channel + state.behind.*channel);
+    bool any = wanted < 0.0;
     for (std::uint32_t i = 0; i < patches; ++i) {
         wanted += (1.0 - scene.reflectance(i).*channel) * state.incident[i].*channel;
         any = any || state.incident[i].*channel < 0.0;
@@ -178,7 +179,6 @@ void remove_negative_light(const Scene& scene, PowerState& state)
         if (escaped >= 0.0 && behind >= 0.0)
             continue;
         const double lost = std::max(0.0, escaped + behind);
-        state.emitted.*channel += lost - (escaped + behind);
         behind = escaped < 0.0 ? lost : 0.0;
         escaped = lost - behind;
     }

@@ -49,7 +49,7 @@ void distribute(const Scene& scene, const Exchange& exchange, const std::vector<
 /// nearest one, in least squares weighted by area, that is nowhere negative and of which the patches absorb the same
 /// power as before. If this power is right, the projection onto a convex set does not increase the squared error of the
 /// irradiance. A channel without negative irradiance does not change. Negative escaped power, or power behind surfaces,
-/// is taken from the other of the two.
+/// is taken from the other of the two, and what is left from the power that the patches absorb.
 void remove_negative_light(const Scene& scene, PowerState& state);
 
 } // namespace multipath

@@ -274,8 +274,8 @@ double contact_area(const Scene& scene, std::uint32_t patch, std::uint32_t light
     const std::uint32_t first = scene.first_patch(light);
     for (std::uint32_t j = first; j < first + scene.tessellation(light).cell_count(); ++j) {
         const double overlap = exchange_area(shape, scene.patch(j).shape, touching);
-        if (overlap > 0.0 && in_contact(scene, patch, j))
-            area += overlap;
+        if (overlap > 0.0)
+            area += overlap * share_in_contact(scene, patch, j);
     }
     return area;
 }

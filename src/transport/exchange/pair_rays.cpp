@@ -266,69 +266,82 @@ void PairRayAllotment::visit(Archive& archive)
         throw ArchiveError("the state is damaged: no such rows");
 }
 
-/// Traces the shadow rays of several pairs together, in reusable buffers.
+/// The visibility of several pairs, by shadow rays that are traced together, in reusable buffers.
 class VisibilityBlock
 {
 public:
     explicit VisibilityBlock(const Scene& scene) : scene_(scene) {}
 
-    /// Adds `rays` rays of a pair, one for each item. Rays of weight 0 are skipped.
-    void add(const RayPair& pair, const Item* items, std::uint64_t rays)
+    /// Casts `rays` rays of the next pair, with the items from `first_item` on. Rays of weight 0 are skipped.
+    void add(const RayPair& pair, const Sequence& sequence, std::uint64_t first_item, std::uint64_t rays)
     {
-        pairs_.push_back({pair.to_front(), weights_.size(), 0});
-        for (std::uint64_t k = 0; k < rays; ++k) {
-            const RayPair::Ray ray = pair.ray(items[k]);
-            if (!(ray.weight > 0.0))
-                continue;
-            surfaces_.push_back(pair.from_surface());
-            targets_.push_back(pair.to_surface());
-            rays_.push_back(ray.line);
-            weights_.push_back(ray.weight);
+        pairs_.push_back({pair.to_front()});
+        for (std::uint64_t done = 0; done < rays; done += items_.size()) {
+            items_.resize(std::min<std::size_t>(rays - done, most_rays - rays_.size()));
+            sequence.generate(first_item + done, items_);
+            for (const Item& item : items_) {
+                const RayPair::Ray ray = pair.ray(item);
+                if (!(ray.weight > 0.0))
+                    continue;
+                surfaces_.push_back(pair.from_surface());
+                targets_.push_back(pair.to_surface());
+                rays_.push_back(ray.line);
+                weights_.push_back({ray.weight, pairs_.size() - 1});
+            }
+            if (rays_.size() == most_rays)
+                trace();
         }
-        pairs_.back().end = weights_.size();
     }
 
-    /// Traces all rays. Returns for each pair the share of unoccluded rays, by weight, or -1 if none of its rays has a
-    /// weight. Removes all pairs.
+    /// Returns for each pair the share of unoccluded rays, by weight, or -1 if none of its rays has a weight. Removes
+    /// all pairs.
     std::vector<double> visible_shares()
     {
-        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
+        trace();
         std::vector<double> shares;
         for (const PairOfBlock& pair : pairs_)
-            shares.push_back(visible_share(pair));
+            shares.push_back(pair.all > 0.0 ? pair.free / pair.all : -1.0);
         pairs_.clear();
-        surfaces_.clear();
-        targets_.clear();
-        rays_.clear();
-        weights_.clear();
         return shares;
     }
 
 private:
+    static constexpr std::size_t most_rays = 1u << 14; ///< at once: bounds the memory, however many rays a pair has
+
     struct PairOfBlock
     {
-        bool to_front;          ///< see RayPair::to_front
-        std::size_t begin, end; ///< range of its rays
+        bool to_front;     ///< see RayPair::to_front
+        double all = 0.0;  ///< sum of weights
+        double free = 0.0; ///< that of unoccluded rays
+    };
+    struct Weight
+    {
+        double weight;
+        std::size_t pair;
     };
 
-    double visible_share(const PairOfBlock& pair) const
+    void trace()
     {
-        double all = 0.0;
-        double free = 0.0;
-        for (std::size_t k = pair.begin; k < pair.end; ++k) {
-            all += weights_[k];
+        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
+        for (std::size_t k = 0; k < rays_.size(); ++k) {
+            PairOfBlock& pair = pairs_[weights_[k].pair];
+            pair.all += weights_[k].weight;
             if (hits_.is_hit(k) && hits_[k].front == pair.to_front)
-                free += weights_[k];
+                pair.free += weights_[k].weight;
         }
-        return all > 0.0 ? free / all : -1.0;
+        surfaces_.clear();
+        targets_.clear();
+        rays_.clear();
+        weights_.clear();
     }
 
     const Scene& scene_;
     std::vector<PairOfBlock> pairs_;
+    std::vector<Item> items_;
     std::vector<std::uint32_t> surfaces_;
     std::vector<std::uint32_t> targets_; ///< surfaces
     std::vector<Line> rays_;
-    std::vector<double> weights_;
+    std::vector<Weight> weights_;
     FirstHits hits_;
 };
 
@@ -372,12 +385,10 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     BlockBuffers<VisibilityBlock> blocks(run.threads, VisibilityBlock(scene));
     const auto cast_row = [&](std::uint32_t i, VisibilityBlock& block) {
         const RowOfRays row = allotment.row(i);
-        std::vector<Item> items(static_cast<std::size_t>(row.end_ray - row.first_ray));
-        sequence.generate(plan.first_item + row.first_ray, items);
-        const Item* next = items.data();
+        std::uint64_t next_item = plan.first_item + row.first_ray;
         for (const RowOfRays::Target& target : row.targets) {
-            block.add(RayPair(scene, i, target.patch), next, target.rays);
-            next += target.rays;
+            block.add(RayPair(scene, i, target.patch), sequence, next_item, target.rays);
+            next_item += target.rays;
         }
         const std::vector<double> shares = block.visible_shares();
         for (std::size_t k = 0; k < shares.size(); ++k)

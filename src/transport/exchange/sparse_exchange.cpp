@@ -316,59 +316,80 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
 SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosity, const std::vector<Rgb>& reflectance,
                                                 int threads) const
 {
-    const Rgb sky = light_of_sky(radiosity);
-    Returns result{large_vector<Rgb>(size()), {}, {}};
-    std::vector<Rgb> arriving = large_vector<Rgb>(size()); // [W]
-    multiply_rays(radiosity, threads, arriving);
-    std::vector<Rgb> weight = large_vector<Rgb>(size()); // rho / (n - 1)
-    std::vector<Rgb> excess = large_vector<Rgb>(size()); // rho H / (n - 1)
-    struct Open
+    struct Sums // over the rays of a patch
+    {
+        double area = 0.0;    ///< [m^2] of G
+        double squares = 0.0; ///< of G^2
+        Rgb light;            ///< of G B
+        Rgb squared;          ///< of G^2 B
+    };
+    struct Sender // what a patch sends along a ray: G even + G^2 (own - back B)
+    {
+        Rgb even, own, back;
+    };
+    struct Lost
     {
         Rgb escaped, behind;
-        Open& operator+=(const Open& other)
+        Lost& operator+=(const Lost& other)
         {
             escaped += other.escaped;
             behind += other.behind;
             return *this;
         }
     };
-    const Open lost_light = parallel_sum<Open>(size(), threads, [&](std::uint32_t i) -> Open {
-        const auto density = static_cast<double>(factors_[i].density);
-        const double back = behind(i);
-        double area = lost_[i]; // of all rays
-        double squares = 0.0;
+    const Rgb sky = light_of_sky(radiosity);
+    const auto for_joined = [&](std::uint32_t i, const auto& take) { // with their G [m^2]
+        const Factors& own = factors_[i];
         for (const std::uint32_t j : counts_.row(i)) {
             const Factors& other = factors_[j];
-            const double ray = unit_ * static_cast<double>(factors_[i].scale) * static_cast<double>(other.scale) /
-                               (density + static_cast<double>(other.density));
-            area += ray;
-            squares += ray * ray;
+            const auto densities = static_cast<double>(own.density) + static_cast<double>(other.density);
+            take(j, unit_ * static_cast<double>(own.scale) * static_cast<double>(other.scale) / densities);
         }
-        // Lost rays, too, if few of many rays are the patch's own: what is lost follows from all of them.
+    };
+    std::vector<Sender> senders = large_vector<Sender>(size());
+    const Lost lost = parallel_sum<Lost>(size(), threads, [&](std::uint32_t i) -> Lost {
+        Sums sums;
+        for_joined(i, [&](std::uint32_t j, double ray) {
+            sums.area += ray;
+            sums.squares += ray * ray;
+            sums.light += ray * radiosity[j];
+            sums.squared += (ray * ray) * radiosity[j];
+        });
+        // Where few of many rays are the patch's own, what is lost follows from all of them: a lost ray counts as
+        // several then. The limit is empirical: half of it costs rooms behind a small window 1 % of their light.
+        constexpr double most_of_joined = 4.0;
         const CountRow row = counts_.row(i);
-        const double joined_ray = quotient(area - lost_[i], static_cast<double>(row.last - row.first));
-        const double lost_ray = quotient(lost_[i], lost_rays_[i]);
-        squares += lost_[i] * (joined_ray > 0.0 ? std::min(lost_ray, 2.0 * joined_ray) : lost_ray);
-        if (!(area > 0.0))
+        const double joined_ray = quotient(sums.area, static_cast<double>(row.last - row.first));
+        const double of_own = quotient(lost_[i], lost_rays_[i]);
+        const double lost_ray = joined_ray > 0.0 ? std::min(of_own, most_of_joined * joined_ray) : of_own;
+        sums.area += lost_[i];
+        sums.squares += lost_[i] * lost_ray;
+        sums.light += open(i) * sky;
+        sums.squared += (open(i) * lost_ray) * sky;
+        if (!(sums.area > 0.0))
             return {};
         constexpr double most = 0.5; // of 1 / (n - 1): a patch of one or two rays has no other ones
-        // Quasi-random rays are less correlated than random ones: measured in open boxes by (16 / n)^(1/4).
-        const double rays = 1.0 / std::max(squares / (area * area), 1e-30);
-        const double even = std::sqrt(std::sqrt(std::min(1.0, 16.0 / rays)));
-        weight[i] = even * std::min(most, quotient(squares, area * area - squares)) * reflectance[i];
-        const Rgb irradiance = (1.0 / area) * (arriving[i] + open(i) * sky);
-        excess[i] = weight[i] * irradiance;
-        return {open(i) * (excess[i] - weight[i] * sky), back * excess[i]};
+        const double repeated = sums.squares / (sums.area * sums.area); // 1 / n
+        // Quasi-random rays are less correlated than random ones: measured in open boxes and rooms with windows.
+        const double even = std::sqrt(std::min(1.0, 16.0 * repeated));
+        const double factor = even * std::min(quotient(1.0, 1.0 - repeated), quotient(most, repeated));
+        const Rgb sent = (factor / sums.area) * reflectance[i];
+        const Rgb irradiance = (1.0 / sums.area) * sums.light;
+        Sender& own = senders[i];
+        own = {(1.0 / sums.area) * (sent * (sums.squared - sums.squares * irradiance)), sent * irradiance, sent};
+        const Rgb per_lost_area = own.even + lost_ray * own.own;
+        return {open(i) * (per_lost_area - lost_ray * (own.back * sky)), behind(i) * per_lost_area};
     });
-    std::vector<Rgb> weights_around = large_vector<Rgb>(size());
-    multiply_rays(weight, threads, weights_around);
-    multiply_rays(excess, threads, result.incident);
+    Returns result{large_vector<Rgb>(size()), {}, lost.behind};
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
-        result.incident[i] = result.incident[i] - weights_around[i] * radiosity[i];
+        for_joined(i, [&](std::uint32_t j, double ray) {
+            const Sender& from = senders[j];
+            result.incident[i] += ray * from.even + (ray * ray) * (from.own - from.back * radiosity[i]);
+        });
     });
-    give_to_sky(lost_light.escaped, result.incident);
-    result.escaped = sky_.empty() ? lost_light.escaped : Rgb{};
-    result.behind = lost_light.behind;
+    give_to_sky(lost.escaped, result.incident);
+    if (sky_.empty())
+        result.escaped = lost.escaped;
     return result;
 }
 

@@ -67,16 +67,20 @@ public:
 
     /// Light that leaves a patch along the ray that brought it. The solution of the linear system lets every ray of a
     /// patch bring light and take it away, so that the noise of what comes and of where it goes is correlated: with n
-    /// rays, 1/n of the light returns where it came from. In an open scene too much of it thus escapes again. Without
-    /// the ray r itself (leave-one-out), patch j sends along r
+    /// rays, 1/n of the light returns where it came from. In an open scene too much of it thus escapes again. With the
+    /// exchange areas G_q of the rays of patch j, their sum A and the sum of squares S, the product G_q G_r of two
+    /// different rays is expected to be too small by the fraction (G_q + G_r) / A - S / A^2, since each of them takes
+    /// from the other (the sum A is fixed), and is the larger the more A fluctuates without both. Sum over q of these
+    /// parts is G_r^2, what ray r should not send back. So patch j sends along r also
     ///
-    ///   B_j + rho_j (H_j - L_r) / (n_j - 1),
+    ///   rho_j / A G_r ((sum of G_q^2 L_q - S H) / A + G_r (H - L_r)),
     ///
-    /// with the irradiance H_j that all n_j rays bring, and the radiosity L_r at the other end of r. The second term
-    /// sums to zero over the rays of each patch.
+    /// with the radiosity L_q at the other end of ray q, and the irradiance H, the mean of L weighted by G: for n equal
+    /// rays G_r rho (H - L_r) / n, with n - 1 instead of n if they are few. This sums to zero over the rays of each
+    /// patch, and is zero where they all bring the same light. For n > 16 it is multiplied by the root of 16 / n.
     struct Returns
     {
-        std::vector<Rgb> incident; ///< [W] per patch: sum of the second term over the rays that reach the patch
+        std::vector<Rgb> incident; ///< [W] per patch: sum over the rays that reach the patch
         Rgb escaped;               ///< [W] the same for the rays that reached nothing, without a sky
         Rgb behind;                ///< [W] and for those that met a side without a patch
     };

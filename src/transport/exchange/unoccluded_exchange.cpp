@@ -76,38 +76,53 @@ private:
     double scale_;
 };
 
-/// A point inside both shapes, if one of the grid x grid points on the first one is inside the second.
-std::optional<Vec3> common_point(const Surface& small, const Surface& large, int grid)
+/// The points of a grid x grid pattern on the first shape that are inside both shapes.
+std::vector<Vec3> common_points(const Surface& small, const Surface& large, int grid)
 {
     const EdgeCoordinates on_small(small);
     const EdgeCoordinates on_large(large);
+    std::vector<Vec3> points;
     for (int i = 0; i < grid; ++i) {
         const auto point = [&](int j) { return small.at((i + 0.5) / grid, (j + 0.5) / grid); };
         const auto [first, last] = on_large.range_inside(point(0), (1.0 / grid) * small.edge_v, grid);
         for (int j = first; j <= last; ++j)
             if (on_small.contains(point(j)) && on_large.contains(point(j)))
-                return point(j);
+                points.push_back(point(j));
     }
-    return {};
+    return points;
 }
 
 } // namespace
 
-bool in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b)
+double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b)
 {
     const bool a_is_small = scene.area(a) <= scene.area(b);
     const std::uint32_t from = a_is_small ? a : b;
     const std::uint32_t to = a_is_small ? b : a;
     const Patch start = scene.patch(from);
     const Surface end = scene.patch(to).shape;
-    std::optional<Vec3> point = common_point(start.shape, end, 16);
-    if (!point)
-        point = common_point(start.shape, end, 128); // a sliver
-    if (!point)
-        return false;
-    const std::optional<Hit> hit = scene.intersector().closest_hit_from(start.surface, {*point, start.shape.normal()});
-    return hit && hit->surface == scene.surface_of(to) &&
-           scene.patch_at(hit->surface, hit->u, hit->v, hit->front) == to;
+    const double touching = coplanar_distance * scene.bounds().diagonal();
+    const auto faces_other = [&](Vec3 point) {
+        const Line line = {point, start.shape.normal()};
+        std::uint32_t surface = start.surface;
+        for (;;) { // past the faces of other solids in the same place
+            const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, line);
+            if (!hit || hit->t > touching)
+                return false;
+            if (hit->surface == scene.surface_of(to))
+                return scene.patch_at(hit->surface, hit->u, hit->v, hit->front) == to;
+            surface = hit->surface;
+        }
+    };
+    double share = 0.0;
+    for (const int grid : {4, 32, 128}) { // the finest for slivers
+        const std::vector<Vec3> points = common_points(start.shape, end, grid);
+        const auto facing = std::count_if(points.begin(), points.end(), faces_other);
+        share = quotient(static_cast<double>(facing), static_cast<double>(points.size()));
+        if (share == 1.0 || (share == 0.0 && !points.empty()) || (share > 0.0 && grid > 4))
+            break;
+    }
+    return share;
 }
 
 // Translation invariance saves most of the work. Surfaces are cut into grids of equal cells. If the grids of two
@@ -267,18 +282,18 @@ public:
         else
             fill_each(a, b);
         if (in_one_plane(a, b, touching_))
-            clear_back_to_back(a, b);
+            keep_contacts(a, b);
     }
 
 private:
-    /// Sets the exchange of patches that lie back to back in one plane to 0.
-    void clear_back_to_back(const Side& a, const Side& b)
+    /// Leaves of the exchange of patches that overlap in one plane what their contact gives.
+    void keep_contacts(const Side& a, const Side& b)
     {
         for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
             float* row = matrix_.row(i);
             for (std::uint32_t j = b.first_patch; j < b.first_patch + b.patch_count; ++j)
-                if (row[j] > 0.0f && !in_contact(scene_, i, j))
-                    row[j] = 0.0f;
+                if (row[j] > 0.0f)
+                    row[j] *= static_cast<float>(share_in_contact(scene_, i, j));
         }
     }
 

@@ -8,14 +8,15 @@
 
 namespace multipath {
 
-/// For two patches of opposite orientation in one plane: true if their fronts face each other across a gap of no width,
-/// like the bottom of a box and the floor below it; false if they are back to back, like the two faces of a thin sheet.
-/// To decide, a ray leaves the smaller patch at a point that both contain. Returns false if the patches do not overlap,
-/// or overlap too narrowly to find such a point.
-bool in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b);
+/// [1] For two patches of opposite orientation in one plane: the share of their overlap where their fronts face each
+/// other across a gap of no width, like the bottom of a box and the floor below it, also where faces of other solids
+/// lie between them. 0 if they are back to back, like the two faces of a thin sheet, or do not overlap. To decide, rays
+/// leave the smaller patch at up to 16 points that both contain, or at up to 1024 if these do not agree.
+double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b);
 
 /// The exchange area A_i F_ij [m^2] of every pair of patches without regard to obstacles (exchange_area, (F1) in
-/// docs/equations.md). It is zero for patches of the same surface, and for coincident patches that lie back to back.
+/// docs/equations.md). It is zero for patches of the same surface, and for coincident patches only
+/// where they are in contact.
 /// The bits do not depend on the number of threads.
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads);
 

@@ -8,6 +8,7 @@
 #include "radiosity/run/memory_estimate.h"
 #include "radiosity/run/solve.h"
 #include "radiosity/run/statistics.h"
+#include "scene/daylight.h"
 #include "scene/obj/obj_reader.h"
 #include "test_scenes.h"
 #include "transport/exchange/pair_counts.h"
@@ -74,6 +75,42 @@ TEST_CASE("between two facing squares the share F arrives and the rest escapes, 
     CHECK(solution.radiosity[0].r == doctest::Approx(b_1).epsilon(1e-3));
     CHECK(solution.radiosity[1].r == doctest::Approx(0.7 * f * b_1).epsilon(1e-3));
     CHECK(solution.balance.escaped.r == doctest::Approx((1.0 - f) * (b_1 + 0.7 * f * b_1)).epsilon(1e-3));
+}
+
+// The solution is not linear in the counts: light should not leave by the ray that brought it, nor spread the less for
+// it.
+TEST_CASE("a room behind a small window gets all of its light with ten or twenty rays for each patch")
+{
+    SceneBuilder builder;
+    const std::uint32_t bright = builder.grey(0.8, 0.0);
+    const std::uint32_t grey = builder.grey(0.5, 0.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 3}, {3, 0, 0}, grey).rectangle({0, 2, 0}, {3, 0, 0}, {0, 0, 3}, bright);
+    builder.rectangle({0, 0, 0}, {3, 0, 0}, {0, 2, 0}, bright).rectangle({0, 0, 3}, {0, 2, 0}, {3, 0, 0}, bright);
+    builder.rectangle({0, 0, 0}, {0, 2, 0}, {0, 0, 3}, bright); // the wall at x = 3 has a window
+    builder.rectangle({3, 0, 0}, {0, 0, 3}, {0, 0.9, 0}, bright).rectangle({3, 1.4, 0}, {0, 0, 3}, {0, 0.6, 0}, bright);
+    builder.rectangle({3, 0.9, 0}, {0, 0, 1.2}, {0, 0.5, 0}, bright);
+    builder.rectangle({3, 0.9, 1.7}, {0, 0, 1.3}, {0, 0.5, 0}, bright);
+    builder.box({0.7, 0, 0.8}, {1.3, 0.7, 1.5}, grey);
+    SceneFile file = builder.file();
+    add_sky(file, {1, 1, 1});
+    const Scene scene(std::move(file), 0.12, false);
+    const auto mean_light = [&](std::uint64_t rays_per_patch, int runs) {
+        SolveOptions options = reuse_options(rays_per_patch * scene.patch_count());
+        options.sequence = "sobol-owen";
+        options.memory = run_bytes(static_cast<double>(scene.surfaces().size()), scene.patch_count()) + 1e8;
+        double sum = 0.0;
+        for (int run = 1; run <= runs; ++run) {
+            options.seed = static_cast<std::uint64_t>(run);
+            const Solution solution = solve(scene, options, silent);
+            REQUIRE(!solution.by_particles);
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                sum += scene.is_sky_patch(i) ? 0.0 : scene.area(i) * solution.radiosity[i].g / runs;
+        }
+        return sum;
+    };
+    const double truth = mean_light(400, 2);
+    CHECK(mean_light(10, 8) == doctest::Approx(truth).epsilon(0.025));
+    CHECK(mean_light(20, 6) == doctest::Approx(truth).epsilon(0.015));
 }
 
 // The same without a table of pairs, with the light of the lamp gathered: its share F is exact, what the other square

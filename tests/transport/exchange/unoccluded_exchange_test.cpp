@@ -57,7 +57,8 @@ TEST_CASE("pairs moved along a common step of two grids get what each would get 
                 const FlatPiece b = piece_of(scene.patch(j).shape);
                 const bool in_one_plane =
                     std::abs(dot(b.centre - a.centre, a.normal)) < touching && dot(a.normal, b.normal) < -0.999999;
-                const double expected = in_one_plane && !in_contact(scene, i, j) ? 0.0 : exchange_area(a, b, touching);
+                const double expected =
+                    exchange_area(a, b, touching) * (in_one_plane ? share_in_contact(scene, i, j) : 1.0);
                 const double difference = std::abs(static_cast<double>(matrix.at(i, j)) - expected);
                 worst = std::max(worst, difference / std::max(expected, 1e-7 * a.area));
             }
@@ -137,11 +138,11 @@ TEST_CASE("a box and the floor below it are in contact, the two faces of a sheet
         const RigidMotion motion(key);
         const Scene scene(motion.moved(builder.file()), 10.0 * motion.scale(), true);
         const std::uint32_t backs = 14;
-        CHECK(in_contact(scene, 0, 6));
-        CHECK(in_contact(scene, 6, 0));
-        CHECK(!in_contact(scene, backs + 0, backs + 6)); // below the floor and inside the box
-        CHECK(!in_contact(scene, 12, 13));
-        CHECK(in_contact(scene, backs + 12, backs + 13)); // inside the sheet
+        CHECK(share_in_contact(scene, 0, 6) == 1.0);
+        CHECK(share_in_contact(scene, 6, 0) == 1.0);
+        CHECK(share_in_contact(scene, backs + 0, backs + 6) == 0.0); // below the floor and inside the box
+        CHECK(share_in_contact(scene, 12, 13) == 0.0);
+        CHECK(share_in_contact(scene, backs + 12, backs + 13) == 1.0); // inside the sheet
     }
 }
 
@@ -153,8 +154,27 @@ TEST_CASE("slivers of an overlap are found, and patches that only share a border
     builder.box({0.98, 0, 0.2}, {1.5, 0.5, 0.7}, wall);       // overhangs it: 2 cm stand on it; bottom: 1
     builder.box({-0.5, 0, 0.2}, {0.0, 0.5, 0.7}, wall);       // beside it; bottom: 7
     const Scene scene = builder.scene(10.0);
-    CHECK(in_contact(scene, 0, 1));
-    CHECK(!in_contact(scene, 0, 7));
+    CHECK(share_in_contact(scene, 0, 1) == 1.0);
+    CHECK(share_in_contact(scene, 0, 7) == 0.0);
+}
+
+TEST_CASE("what stands between counts as an obstacle to a contact, and what does not face each other as none")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 4}, {4, 0, 0}, wall);
+    builder.box({0.5, 0, 0.5}, {2.5, 0.6, 1.5}, wall); // bottom: 1
+    builder.box({1.5, 0, 0.5}, {3.5, 0.4, 1.5}, wall); // bottom: 7; half of each is in the other
+    builder.box({0.5, 0, 2.5}, {2.5, 0.6, 3.5}, wall); // bottom: 13
+    // Begins in the box below it. Lines that meet its bottom next pass the floor and the box as a sheet (hit.cpp).
+    builder.box({1.5, 0.2, 2.5}, {3.5, 0.8, 3.5}, wall);
+    const Scene scene = builder.scene(10.0, true);
+    CHECK(share_in_contact(scene, 0, 1) == 1.0);
+    CHECK(share_in_contact(scene, 0, 7) == 1.0);
+    CHECK(share_in_contact(scene, 0, 13) == doctest::Approx(0.5).epsilon(0.04));
+    const PairMatrix<float> matrix = unoccluded_exchange(scene, 2);
+    CHECK(static_cast<double>(matrix.at(1, 0)) == doctest::Approx(2.0));
+    CHECK(static_cast<double>(matrix.at(13, 0)) == doctest::Approx(1.0).epsilon(0.04));
 }
 
 } // namespace contact_test
