@@ -11,7 +11,8 @@
 # make pictures   runs the commands of the gallery and of the lectures, docs/{gallery,method,beyond}.md, and renews their pictures and numbers
 # make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
-# make dist       packs the sources, of git what is committed, into multipath-VERSION.tar.gz
+# make dist       packs the sources, of git what is committed, into build/multipath-VERSION.tar.gz
+# make dist-windows CXX=x86_64-w64-mingw32-g++-posix    packs program, scenes and documents for Windows into a .zip there
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
 # (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors.
@@ -24,7 +25,7 @@ BUILD    ?= build
 triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
 windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
 PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(if $(windows),.exe)
-run       = "$(abspath $(PROGRAM))"
+run       = $(if $(windows),$(if $(filter Windows_NT,$(OS)),,wine)) "$(abspath $(PROGRAM))"
 # Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
 # each call that is passed otherwise than before version 10.
 WARNINGS  = -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $(if $(WERROR),-Wconversion $(WERROR))
@@ -177,12 +178,12 @@ place      = "$(DESTDIR)$(PREFIX)"
 completion = share/bash-completion/completions/multipath
 documents  = README.md LICENSE $(sort $(shell find docs -type f))
 own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl)) $(documents:%=share/doc/multipath/%)
-installed  = bin/multipath share/man/man1/multipath.1 $(completion) $(own)
+installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(completion) $(own)
 
 # The texts are the program's own: it writes them from the tables that it reads its options by.
 install: $(PROGRAM)
 	@for folder in $(sort $(dir $(installed))); do install -d $(place)/$$folder || exit; done
-	install -m 755 $(PROGRAM) $(place)/bin/multipath
+	install -m 755 $(PROGRAM) $(place)/bin/
 	$(run) help --man > $(place)/share/man/man1/multipath.1
 	$(run) help --completion bash > $(place)/$(completion)
 	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
@@ -199,14 +200,21 @@ packed   = $(wildcard .ci .clang-format .clang-tidy .gitignore) LICENSE Makefile
 
 dist:
 	@mkdir -p $(BUILD)
-	@if [ -e .git ]; then git archive -o $(archive).tar.gz --prefix=$(archive)/ HEAD; else \
+	@if [ -e .git ]; then git archive -o $(BUILD)/$(archive).tar.gz --prefix=$(archive)/ HEAD; else \
 	    rm -rf $(BUILD)/$(archive) && mkdir $(BUILD)/$(archive) && cp -R $(packed) $(BUILD)/$(archive) && \
-	    tar -czf $(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
-	@echo $(archive).tar.gz
+	    tar -czf $(BUILD)/$(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
+	@echo $(BUILD)/$(archive).tar.gz
+
+dist-windows: $(PROGRAM)
+	$(if $(windows),,$(error dist-windows: $(CXX) does not compile for Windows; expected CXX=x86_64-w64-mingw32-g++-posix))
+	@rm -rf $(BUILD)/$(archive) $(BUILD)/$(archive)-windows.zip && mkdir $(BUILD)/$(archive)
+	@cp -R $(PROGRAM) LICENSE README.md docs scenes $(BUILD)/$(archive)
+	@cd $(BUILD) && zip -qr $(archive)-windows.zip $(archive) && rm -r $(archive)
+	@echo $(BUILD)/$(archive)-windows.zip
 
 clean:
-	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm multipath-*.tar.gz
+	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
-.PHONY: always demo paper results pictures test long-tests sweep coverage mutants bench install uninstall dist clean
+.PHONY: always demo paper results pictures test long-tests sweep coverage mutants bench install uninstall dist dist-windows clean
 $(BUILD)/%.d: ;
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

@@ -12,6 +12,21 @@ rm -rf "$scratch" && mkdir -p "$scratch" || exit 1
 LC_ALL=C
 export LC_ALL
 
+# Programs for Windows run under wine(1) elsewhere. Copies of the script that does so stand for the program: where it is
+# called, its name ends in .exe, too. What stops them by POSIX signals is left out.
+case $program:$OS in
+*.exe:Windows_NT) ;;
+*.exe:*)
+    command -v wine >/dev/null || { echo "tests: wine is missing: install the package wine" >&2; exit 2; }
+    for file in "$program" "$unit_tests"; do
+        printf '#!/bin/sh\nWINEDEBUG=-all exec wine "%s" "$@"\n' "$file" >"$scratch/$(basename "$file" .exe).exe"
+        chmod +x "$scratch/$(basename "$file" .exe).exe"
+    done
+    program=$scratch/$(basename "$program") unit_tests=$scratch/$(basename "$unit_tests" .exe).exe
+    ;;
+esac
+case $program in *.exe) LEAVE_OUT="$LEAVE_OUT interrupt memory" ;; esac
+
 # Adds the counts. Whatever ended badly or counted nothing, yet counted no failure, has crashed: one failure more.
 # usage: tally NAME STATUS LOG "PASSED FAILED"
 passed=0 failed=0

@@ -3,6 +3,7 @@
 #include "sampling/random.h"
 
 #include <doctest/doctest.h>
+#include <string>
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ TEST_CASE("elementary functions are exact where one expects it")
     for (int n = 0; n <= 22; ++n) {
         const double power = elementary::pow(10.0, n);
         CHECK(power == std::pow(10.0, n));
-        CHECK(elementary::pow(10.0, -n) == std::pow(10.0, -n));
+        CHECK(elementary::pow(10.0, -n) == std::stod("1e-" + std::to_string(n))); // some C libraries' pow errs here
         CHECK(elementary::log10(power) == n);
         CHECK(elementary::log10(1.0 / power) == -n);
     }

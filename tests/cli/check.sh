@@ -31,6 +31,11 @@ ends() {
     return 1
 }
 
+# For checks of what only POSIX has: signals, devices, named pipes, limits, any byte in names. A program that ends in .exe
+# is one for Windows, there or under wine(1).
+# usage: on_posix COMMAND ARGS...
+on_posix() { case $program in *.exe) ;; *) "$@" ;; esac; }
+
 # The names of all methods, from the help.
 methods() { "$program" help methods | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p'; }
 

@@ -13,7 +13,7 @@ tree="$here/with blanks/tree"
 installs() {
     made install "DESTDIR=$tree" PREFIX=/opt/multipath || return
     files_under "$tree/opt/multipath" >found
-    { printf './%s\n' bin/multipath share/man/man1/multipath.1 share/bash-completion/completions/multipath \
+    { printf './%s\n' "bin/$(basename "$program")" share/man/man1/multipath.1 share/bash-completion/completions/multipath \
         share/doc/multipath/README.md share/doc/multipath/LICENSE
       (cd copy && find docs -type f | sed 's|^|./share/doc/multipath/|'; find scenes -type f | sed 's|^|./share/multipath/|')
     } | sort >expected
@@ -37,7 +37,7 @@ END
 }
 check "make install needs neither the options of GNU's install nor nproc" other_tools
 
-for_everybody() { [ -x "$tree/opt/multipath/bin/multipath" ] && [ -z "$(find "$tree" ! -perm -444)" ]; }
+for_everybody() { [ -x "$tree/opt/multipath/bin/$(basename "$program")" ] && [ -z "$(find "$tree" ! -perm -444)" ]; }
 check "everybody may read what is installed" for_everybody
 
 fresh_texts() {
@@ -48,7 +48,7 @@ fresh_texts() {
 check "manual and completion are those of the installed program" fresh_texts
 
 runs_there() {
-    (cd "$tree/opt/multipath" && bin/multipath check share/multipath/scenes/cube.obj >"$here/out") && says out patches
+    (cd "$tree/opt/multipath" && "bin/$(basename "$program")" check share/multipath/scenes/cube.obj >"$here/out") && says out patches
 }
 check "the installed program reads the installed scenes" runs_there
 
@@ -76,8 +76,8 @@ bundled_scenes() {
     ln -sf "$tree/opt/multipath/bin/multipath" linked && found_by "$tree/opt/multipath/bin/multipath" && found_by "$here/linked" &&
         cp "$program" copy/multipath && found_by "$here/copy/multipath" && rm copy/multipath
 }
-[ -e /proc/self/exe ] && check "bundled scenes are found from any folder by their names" bundled_scenes
-[ -e /proc/self/exe ] && check "paper finds them too" paper_finds
+[ -e /proc/self/exe ] && on_posix check "bundled scenes are found from any folder by their names" bundled_scenes
+[ -e /proc/self/exe ] && on_posix check "paper finds them too" paper_finds
 
 manual_is_found() {
     MANPATH="$tree/opt/multipath/share/man" man -w multipath >out && says out "$tree/opt/multipath/share/man/man1/multipath.1"
@@ -106,8 +106,8 @@ check "make install fails where it cannot write" cannot_install
 packs_all_of() {
     version=$("$program" --version | sed -n 's/^multipath //p')
     (cd "$1" && make -s dist) && rm -rf unpacked && mkdir unpacked &&
-        tar -xzf "$1/multipath-$version.tar.gz" -C unpacked && [ "$(ls unpacked)" = "multipath-$version" ] || return
-    mv "$1/multipath-$version.tar.gz" first.tar.gz
+        tar -xzf "$1/build/multipath-$version.tar.gz" -C unpacked && [ "$(ls unpacked)" = "multipath-$version" ] || return
+    mv "$1/build/multipath-$version.tar.gz" first.tar.gz
     files_under "unpacked/multipath-$version" >found
     (cd copy && find LICENSE Makefile README.md docs scenes src tests -type f | sed 's|^|./|' | sort) | diff - found &&
         (cd "unpacked/multipath-$version" && make -n UNITY=no) >commands && says commands "link    multipath" || return

@@ -85,5 +85,7 @@ if (ulimit -v 300000 && "$program" --version >/dev/null 2>&1); then
     check "and the pairs of reuse to the limit" within 250000 --patches 8000 --memory 200MB -o b.csv
     counts() { (ulimit -v 100000 && ends 0 solve "$scene" --patches 50k --lines 2^23 --memory 60MB --threads 1 --quiet -o c.csv); }
     check "and the counts of many lines, in parts" counts
+    many_rays() { (ulimit -v 140000 && ends 0 solve "$root/scenes/5cubes.obj" --patch-size 0.5 --lines 2^24 --threads 1 --quiet -o d.csv); }
+    check "and the rays of pairs, however many they are" many_rays
 fi
 finish

@@ -17,21 +17,21 @@ full_device() {
     with_old_file device && ln -s /dev/full full.csv && ends 1 solve "$scene" $quick -o device/a.csv -o full.csv || return
     says err "cannot write full.csv: No space left on device" && lines_are err 1 && untouched device
 }
-[ -c /dev/full ] && check "a full device is reported, and no other output is written" full_device
+[ -c /dev/full ] && on_posix check "a full device is reported, and no other output is written" full_device
 
 # A limit on the size of files stands for a full disk: the write fails, and no signal ends the program.
 large_file() {
     with_old_file large && (ulimit -f 200 && ends 1 solve "$scene" $fine -o large/a.csv) || return
     says err "cannot write large/a.csv: File too large" && lines_are err 1 && untouched large
 }
-check "a file that cannot grow leaves the old one as it was" large_file
+on_posix check "a file that cannot grow leaves the old one as it was" large_file
 
 one_of_several() {
     with_old_file several &&
         (ulimit -f 200 && ends 1 solve "$scene" $fine -o several/b.ppm -o several/a.csv) &&
         lines_are err 1 && untouched several
 }
-check "of several outputs none is written when one cannot be" one_of_several
+on_posix check "of several outputs none is written when one cannot be" one_of_several
 
 small_disk() {
     mkdir disk && mount -t tmpfs -o size=64k tmpfs disk 2>mount.log || return 0
@@ -42,7 +42,7 @@ small_disk() {
     umount disk
     return "$1"
 }
-[ "$(id -u)" = 0 ] && check "a full disk leaves the old files as they were" small_disk
+[ "$(id -u)" = 0 ] && on_posix check "a full disk leaves the old files as they were" small_disk
 
 locked_folder() {
     with_old_file locked && chmod 555 locked && ends 1 solve "$scene" $quick -o locked/b.csv -o b.csv || return
@@ -105,7 +105,7 @@ help_to_nowhere() {
     "$program" --help >/dev/full 2>err
     [ $? -eq 1 ] && says err "cannot write standard output: No space left on device"
 }
-[ -c /dev/full ] && check "a help that nobody gets to read is an error" help_to_nowhere
+[ -c /dev/full ] && on_posix check "a help that nobody gets to read is an error" help_to_nowhere
 
 # Without further care the output would get the number of a closed stream, and what is printed would end in it.
 nothing_strange() {
@@ -113,7 +113,7 @@ nothing_strange() {
     "$program" solve "$scene" --lines 1000 --patches 100 -o first.csv -o second.csv -o strange.csv 0<&- >&- 2>&-
     "$program" compare strange.csv expected.csv --tolerance 0 && [ "$(wc -l <strange.csv)" -eq "$(wc -l <expected.csv)" ]
 }
-check "without any standard stream nothing strange lands in an output" nothing_strange
+on_posix check "without any standard stream nothing strange lands in an output" nothing_strange
 
 short_reader() {
     { "$program" points --count 10M 2>err; echo $? >status; } | head -n 1 >out
@@ -177,5 +177,5 @@ check "nor as a camera" camera_files
 one_link_twice() {
     ln -s twice.csv link.csv && ends 2 solve "$scene" $quick -o twice.csv -o link.csv && says err "is named twice"
 }
-check "a file and a link to it are one output" one_link_twice
+on_posix check "a file and a link to it are one output" one_link_twice
 finish

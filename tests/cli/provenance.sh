@@ -82,7 +82,7 @@ odd_names() {
             same odd csv ppm png && ends 0 explain --of 4096 -o odd.svg -- "$name" && same odd svg || return
     done
 }
-check "scenes with blanks, quotes, semicolons, dashes and umlauts in their names are found again" odd_names
+on_posix check "scenes with blanks, quotes, semicolons, dashes and umlauts in their names are found again" odd_names
 # Shells that are older than POSIX 2024 do not know $'...'.
 [ "$(eval "printf %s \$'\\101'")" = A ] && check "so are line ends" odd_names "a
 b.obj"

@@ -22,12 +22,31 @@ interrupt() {
     interrupted TERM -o then.csv -o then.png --size 32x32 && says err "interrupted after" && says err "--resume continues" &&
         [ -s then.csv ] && [ -s then.png ] && [ -z "$(find . -name '*.part*')" ]
 }
-check "SIGTERM ends a run in good order: outputs as of then, exit status 130" in_three_tries interrupt
+on_posix check "SIGTERM ends a run in good order: outputs as of then, exit status 130" in_three_tries interrupt
+
+# usage: in_time FILE       waits until there is something in it, but not for ever
+in_time() {
+    for tries in $(seq 200); do
+        [ -s "$1" ] && return
+        sleep 0.1
+    done
+    return 1
+}
+# By the terminal of script(1), once the run has saved its state.
+ctrl_c() {
+    rm -f run.state then.csv
+    { in_time run.state; printf '\003'; in_time then.csv; } |
+        scene=$scene quick=$quick program=$program script -qec \
+            'exec "$program" solve "$scene" $quick --method local --lines 2^40 --state run.state --save-every 0.1s -o then.csv' \
+            /dev/null >out
+    [ $? -eq 130 ] && [ -s then.csv ] && [ -z "$(find . -name '*.part*')" ]
+}
+script -qec true /dev/null >out 2>&1 </dev/null && check "and so does Ctrl-C" in_three_tries ctrl_c
 
 interrupt_to_state() {
     interrupted TERM -o kept.state && ends 1 render kept.state -o x.png && says err "not finished"
 }
-check "an interrupted run leaves its state also as an output" in_three_tries interrupt_to_state
+on_posix check "an interrupted run leaves its state also as an output" in_three_tries interrupt_to_state
 
 # Left after half of the lines' time or so, resumed, the same bytes as in one go. Without replicates, for every method: torture.sh.
 goes_on() {
@@ -183,7 +202,7 @@ unfinished_merge() {
     ends 1 merge half-1.state half-2.state -o x.csv && lines_are err 1 && says err "half-1.state: this shard is not finished" &&
         [ ! -e x.csv ]
 }
-check "and shards that were interrupted" unfinished_merge
+on_posix check "and shards that were interrupted" unfinished_merge
 
 shard_options() {
     ends 2 solve "$scene" --shard 4/3 --state x.state && ends 2 solve "$scene" --shard 0/3 --state x.state &&
@@ -207,7 +226,7 @@ shrinks() {
     [ $status -eq 1 ] || { echo "exit status $status"; cat err; return 1; }
     says err "a file cannot be read to its end" && lines_are err 1 && [ "$(ls -A shrinks | wc -l)" -eq 2 ]
 }
-check "a state that becomes shorter while it is read ends the program with one line" shrinks
+on_posix check "a state that becomes shorter while it is read ends the program with one line" shrinks
 
 endless() {
     for command in "render /dev/zero" "merge /dev/zero" \
@@ -217,12 +236,12 @@ endless() {
 }
 # A sanitizer takes all addresses there are.
 if (ulimit -v 4000000 && "$program" --version >/dev/null 2>&1); then
-    check "a device without an end is no file to read" endless
+    on_posix check "a device without an end is no file to read" endless
 fi
 
 from_pipe() {
     cat done.state | "$program" render /dev/stdin --quiet -o piped.csv && ends 0 render done.state --quiet -o read.csv &&
         cmp piped.csv read.csv
 }
-check "a state can come through a pipe" from_pipe
+on_posix check "a state can come through a pipe" from_pipe
 finish

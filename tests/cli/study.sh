@@ -94,8 +94,8 @@ stopped_in_reference() {
         [ ! -f none.csv ]
 }
 check "a reference for the next" ends 0 solve "$scene" --patch-size 0.5 --lines 2^14 --quiet -o ref_of_24.csv
-check "SIGTERM ends a study at once: exit status 130, kept runs kept, nothing half written" stopped
-check "and so it does while the reference is computed" stopped_in_reference
+on_posix check "SIGTERM ends a study at once: exit status 130, kept runs kept, nothing half written" stopped
+on_posix check "and so it does while the reference is computed" stopped_in_reference
 
 more_curves() {
     ends 0 study "$scene" $few --methods global,reuse,local --sequences random,halton:2,7,3,5 --cache a.cache -o more.csv || return

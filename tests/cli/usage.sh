@@ -105,5 +105,5 @@ no_controls() {
     ends 0 solve "$strange/cube.obj" --lines 1000 --patches 100 -o "$strange/a.csv" && says err 'red?[31m/a.csv' || return
     ends 2 "$strange" && says err 'red?[31m'
 }
-check "control characters in names do not reach the terminal" no_controls
+on_posix check "control characters in names do not reach the terminal" no_controls
 finish

@@ -11,7 +11,9 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#ifndef _WIN32
 #include <sys/resource.h>
+#endif
 
 namespace convergence_test {
 
@@ -301,6 +303,7 @@ TEST_CASE("a journal that cannot be written says so")
                       "cannot write /nonexistent/runs.txt: No such file or directory");
 }
 
+#ifndef _WIN32
 // A limit on the size of files stands for a full disk, which takes a part of the bytes too and refuses the rest.
 TEST_CASE("a disk that is full is an error with its reason")
 {
@@ -315,5 +318,6 @@ TEST_CASE("a disk that is full is an error with its reason")
                          std::runtime_error);
     setrlimit(RLIMIT_FSIZE, &before);
 }
+#endif
 
 } // namespace journal_test

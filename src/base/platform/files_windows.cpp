@@ -82,8 +82,10 @@ int write_all(int descriptor, std::string_view bytes)
     while (!bytes.empty()) {
         const int written =
             _write(descriptor, bytes.data(), static_cast<unsigned>(std::min<std::size_t>(bytes.size(), 1 << 30)));
-        if (written < 0) // a pipe without a reader gives EINVAL
-            return errno == EINVAL && _isatty(descriptor) == 0 ? EPIPE : errno;
+        if (written < 0) {
+            const bool is_pipe = GetFileType(reinterpret_cast<HANDLE>(_get_osfhandle(descriptor))) == FILE_TYPE_PIPE;
+            return errno == EINVAL ? (is_pipe ? EPIPE : error_number(_doserrno)) : errno;
+        }
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return 0;

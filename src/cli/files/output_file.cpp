@@ -350,8 +350,8 @@ bool same_file(const std::string& a, const std::string& b)
     // Files that do not exist yet: the same name in the same folder.
     const std::string end_a = follow_links(a);
     const std::string end_b = follow_links(b);
-    const auto folder = [](const std::string& path) {
-        return fs::path(path).is_absolute() ? folder_of(path) : "./" + folder_of(path);
+    const auto folder = [](const std::string& path) { // Windows knows no folder whose name ends in a separator
+        return (fs::path(path).has_root_path() ? "" : "./") + folder_of(path) + ".";
     };
     const auto name = [](const std::string& path) { return path.substr(folder_of(path).size()); };
     return !end_a.empty() && !end_b.empty() &&
