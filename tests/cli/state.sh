@@ -32,16 +32,18 @@ in_time() {
     done
     return 1
 }
-# By the terminal of script(1), once the run has saved its state.
+# By the terminal of script(1), once the run has saved its state. Without it the run takes a minute.
 ctrl_c() {
     rm -f run.state then.csv
     { in_time run.state; printf '\003'; in_time then.csv; } |
         scene=$scene quick=$quick program=$program script -qec \
-            'exec "$program" solve "$scene" $quick --method local --lines 2^40 --state run.state --save-every 0.1s -o then.csv' \
+            'exec "$program" solve "$scene" $quick --method local --lines 2^28 --state run.state --save-every 0.1s -o then.csv' \
             /dev/null >out
     [ $? -eq 130 ] && [ -s then.csv ] && [ -z "$(find . -name '*.part*')" ]
 }
-script -qec true /dev/null >out 2>&1 </dev/null && check "and so does Ctrl-C" in_three_tries ctrl_c
+# Where a shell has started the tests in the background, SIGINT is ignored, by the program too.
+hears_ctrl_c() { ! sh -c 'kill -INT $$; :' 2>/dev/null && script -qec true /dev/null >out 2>&1 </dev/null; }
+hears_ctrl_c && check "and so does Ctrl-C" in_three_tries ctrl_c
 
 interrupt_to_state() {
     interrupted TERM -o kept.state && ends 1 render kept.state -o x.png && says err "not finished"
