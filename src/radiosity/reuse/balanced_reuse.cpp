@@ -203,7 +203,6 @@ private:
         hemisphere_.visit(archive, "hemisphere");
         archive.list<double>("expected", expected_);
         archive.list<double>("rays of counts", rays_of_counts_);
-        archive.value<std::uint64_t>("loses rays", loses_rays_);
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
@@ -224,10 +223,17 @@ private:
     }
 
     bool is_last() const { return round_ + 1 == rounds; }
+    bool any_ray_is_lost() const
+    {
+        for (std::uint32_t i = 0; i < n_; ++i)
+            if (counts_.escaped(i) + counts_.behind(i) > 0)
+                return true;
+        return false;
+    }
     /// Where rays get lost, those of the first round do not count later. What they have found decides, through the
     /// patches around, how many more rays a patch gets: light that one of them finds by chance would count less, among
     /// many, than darkness found by the few rays of other patches.
-    bool forgets_first() const { return round_ == 1 && loses_rays_ != 0; }
+    bool forgets_first() const { return round_ == 1 && any_ray_is_lost(); }
     std::uint64_t light_blocks() const { return GatheredLight::blocks(n_).count(); }
 
     /// Plans the rays of the next round, or of the next part of the last one.
@@ -269,6 +275,7 @@ private:
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.lamp_power());
+        const bool afresh = forgets_first();
         const std::vector<double> importance_of = round_ > 0 ? importance_of_irradiance() : std::vector<double>();
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             constexpr double exponent = 0.35; // of the area, as long as the light is unknown
@@ -281,12 +288,12 @@ private:
             constexpr double left_of_variance = 0.35;
             importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
             importance.light[i] = sees_light ? worth * light[i] : 0.0;
-            had.hemisphere[i] = forgets_first() ? 0.0 : rays_of_counts_[i];
+            had.hemisphere[i] = afresh ? 0.0 : rays_of_counts_[i];
             had.light[i] = light_ ? light_->rays(i) : 0.0;
-            if (rays_.indirect && (round_ == 0 || forgets_first()))
+            if (rays_.indirect && (round_ == 0 || afresh))
                 least.hemisphere[i] = round_ == 0 ? 1.0 : 2.0;
-            if (round_ == 0)
-                least.light[i] = sees_light ? 1.0 : 0.0;
+            if (sees_light && round_ == 0)
+                least.light[i] = 1.0;
             constexpr double to_see_losses =
                 1.0 / 32.0; // fraction of the rays that leave the sources, to estimate losses
             if (light_)
@@ -408,7 +415,7 @@ private:
         if (parts_ > 1 && run_.is_shard())
             throw InputError("the counts of so many lines do not fit into the memory, and parts of them cannot be "
                              "shared; expected more memory, or no shards");
-        if (parts_ > 1 || loses_rays_)
+        if (parts_ > 1 || any_ray_is_lost())
             give_all_some(hemisphere);
     }
 
@@ -472,8 +479,6 @@ private:
             forget_counts();
         take_fresh_counts();
         if (!is_last()) {
-            for (std::uint32_t i = 0; i < n_ && round_ == 0; ++i)
-                loses_rays_ |= counts_.escaped(i) + counts_.behind(i) > 0 ? 1u : 0u;
             if (rays_.indirect)
                 guess_ = rough_radiosity();
             ++round_;
@@ -725,7 +730,6 @@ private:
     RayBatch hemisphere_;
     std::vector<double> expected_;       ///< rays over the hemispheres, for all parts of the last round
     std::vector<double> rays_of_counts_; ///< number of rays that left each patch
-    std::uint64_t loses_rays_ = 0;       ///< 1 if any ray of the first round met no patch
     LineCounts counts_;
     LineCounts fresh_; ///< of the current round
     Field source_;     ///< [W/m^2] unshot after the direct light has arrived

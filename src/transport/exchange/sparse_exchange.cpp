@@ -13,6 +13,30 @@ namespace {
 
 constexpr double rounding_of_rows = 1e-6; // of the area of a patch
 
+struct SumsOverRays // over the rays of a patch
+{
+    double area = 0.0;    ///< [m^2] of G
+    double squares = 0.0; ///< of G^2
+    Rgb light;            ///< of G B
+    Rgb squared;          ///< of G^2 B
+};
+
+struct SentBack // what a patch sends along a ray: G even + G^2 (own - back B)
+{
+    Rgb even, own, back;
+};
+
+struct LostLight // [W]
+{
+    Rgb escaped, behind;
+    LostLight& operator+=(const LostLight& other)
+    {
+        escaped += other.escaped;
+        behind += other.behind;
+        return *this;
+    }
+};
+
 } // namespace
 
 SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<double>& area,
@@ -316,27 +340,6 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
 SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosity, const std::vector<Rgb>& reflectance,
                                                 int threads) const
 {
-    struct Sums // over the rays of a patch
-    {
-        double area = 0.0;    ///< [m^2] of G
-        double squares = 0.0; ///< of G^2
-        Rgb light;            ///< of G B
-        Rgb squared;          ///< of G^2 B
-    };
-    struct Sender // what a patch sends along a ray: G even + G^2 (own - back B)
-    {
-        Rgb even, own, back;
-    };
-    struct Lost
-    {
-        Rgb escaped, behind;
-        Lost& operator+=(const Lost& other)
-        {
-            escaped += other.escaped;
-            behind += other.behind;
-            return *this;
-        }
-    };
     const Rgb sky = light_of_sky(radiosity);
     const auto for_joined = [&](std::uint32_t i, const auto& take) { // with their G [m^2]
         const Factors& own = factors_[i];
@@ -346,9 +349,9 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
             take(j, unit_ * static_cast<double>(own.scale) * static_cast<double>(other.scale) / densities);
         }
     };
-    std::vector<Sender> senders = large_vector<Sender>(size());
-    const Lost lost = parallel_sum<Lost>(size(), threads, [&](std::uint32_t i) -> Lost {
-        Sums sums;
+    std::vector<SentBack> senders = large_vector<SentBack>(size());
+    const LostLight lost = parallel_sum<LostLight>(size(), threads, [&](std::uint32_t i) -> LostLight {
+        SumsOverRays sums;
         for_joined(i, [&](std::uint32_t j, double ray) {
             sums.area += ray;
             sums.squares += ray * ray;
@@ -375,7 +378,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         const double factor = even * std::min(quotient(1.0, 1.0 - repeated), quotient(most, repeated));
         const Rgb sent = (factor / sums.area) * reflectance[i];
         const Rgb irradiance = (1.0 / sums.area) * sums.light;
-        Sender& own = senders[i];
+        SentBack& own = senders[i];
         own = {(1.0 / sums.area) * (sent * (sums.squared - sums.squares * irradiance)), sent * irradiance, sent};
         const Rgb per_lost_area = own.even + lost_ray * own.own;
         return {open(i) * (per_lost_area - lost_ray * (own.back * sky)), behind(i) * per_lost_area};
@@ -383,7 +386,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
     Returns result{large_vector<Rgb>(size()), {}, lost.behind};
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         for_joined(i, [&](std::uint32_t j, double ray) {
-            const Sender& from = senders[j];
+            const SentBack& from = senders[j];
             result.incident[i] += ray * from.even + (ray * ray) * (from.own - from.back * radiosity[i]);
         });
     });

@@ -68,10 +68,10 @@ public:
     /// Light that leaves a patch along the ray that brought it. The solution of the linear system lets every ray of a
     /// patch bring light and take it away, so that the noise of what comes and of where it goes is correlated: with n
     /// rays, 1/n of the light returns where it came from. In an open scene too much of it thus escapes again. With the
-    /// exchange areas G_q of the rays of patch j, their sum A and the sum of squares S, the product G_q G_r of two
-    /// different rays is expected to be too small by the fraction (G_q + G_r) / A - S / A^2, since each of them takes
-    /// from the other (the sum A is fixed), and is the larger the more A fluctuates without both. Sum over q of these
-    /// parts is G_r^2, what ray r should not send back. So patch j sends along r also
+    /// exchange areas G_q of the rays of patch j, their sum A (fixed) and the sum of squares S, the product G_q G_r of
+    /// two different rays is on the mean too small by the fraction (G_q + G_r) / A - S / A^2: each of the two takes
+    /// from the other, and the fluctuation of the sum of all other rays makes up for a part of it. Over all q this adds
+    /// up to G_r^2, what ray r should not send back. So patch j sends along r also
     ///
     ///   rho_j / A G_r ((sum of G_q^2 L_q - S H) / A + G_r (H - L_r)),
     ///

@@ -105,7 +105,8 @@ double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b)
     const auto faces_other = [&](Vec3 point) {
         const Line line = {point, start.shape.normal()};
         std::uint32_t surface = start.surface;
-        for (;;) { // past the faces of other solids in the same place
+        constexpr int most_faces = 64;
+        for (int passed = 0; passed < most_faces; ++passed) { // faces of other solids in the same place
             const std::optional<Hit> hit = scene.intersector().closest_hit_from(surface, line);
             if (!hit || hit->t > touching)
                 return false;
@@ -113,13 +114,17 @@ double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b)
                 return scene.patch_at(hit->surface, hit->u, hit->v, hit->front) == to;
             surface = hit->surface;
         }
+        return false;
     };
+    constexpr int coarsest = 4;
     double share = 0.0;
-    for (const int grid : {4, 32, 128}) { // the finest for slivers
+    for (const int grid : {coarsest, 32, 128}) { // the finest for slivers
         const std::vector<Vec3> points = common_points(start.shape, end, grid);
+        if (points.empty())
+            continue;
         const auto facing = std::count_if(points.begin(), points.end(), faces_other);
-        share = quotient(static_cast<double>(facing), static_cast<double>(points.size()));
-        if (share == 1.0 || (share == 0.0 && !points.empty()) || (share > 0.0 && grid > 4))
+        share = static_cast<double>(facing) / static_cast<double>(points.size());
+        if (share == 0.0 || share == 1.0 || grid > coarsest)
             break;
     }
     return share;
@@ -286,7 +291,7 @@ public:
     }
 
 private:
-    /// Leaves of the exchange of patches that overlap in one plane what their contact gives.
+    /// Leaves only the part of the exchange of patches in one plane that are in contact.
     void keep_contacts(const Side& a, const Side& b)
     {
         for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {

@@ -15,9 +15,8 @@ namespace multipath {
 double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b);
 
 /// The exchange area A_i F_ij [m^2] of every pair of patches without regard to obstacles (exchange_area, (F1) in
-/// docs/equations.md). It is zero for patches of the same surface, and for coincident patches only
-/// where they are in contact.
-/// The bits do not depend on the number of threads.
+/// docs/equations.md). It is zero for patches of the same surface, and for coincident patches
+/// where they are not in contact. The bits do not depend on the number of threads.
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads);
 
 /// The matrix of unoccluded_exchange, computed on first use, so that lines can be cast before it takes memory.
