@@ -12,7 +12,7 @@
 # make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into build/multipath-VERSION.tar.gz
-# make dist-windows CXX=x86_64-w64-mingw32-g++-posix    packs program, scenes and documents for Windows into a .zip there
+# make dist-windows  packs program, scenes and documents for Windows into a .zip there, by WINDOWS_CXX
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
 # (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors.
@@ -24,7 +24,8 @@ CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
 windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
-PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(if $(windows),.exe)
+exe      := $(if $(windows),.exe)
+PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(exe)
 run       = $(if $(windows),$(if $(filter Windows_NT,$(OS)),,wine)) "$(abspath $(PROGRAM))"
 # Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
 # each call that is passed otherwise than before version 10.
@@ -82,12 +83,12 @@ results: paper
 pictures: $(PROGRAM)
 	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md docs/beyond.md
 
-test long-tests: $(BUILD)/unit_tests $(PROGRAM)
-	@sh tests/run.sh $(BUILD)/unit_tests $(PROGRAM) $(BUILD) $(if $(filter long-tests,$@),long,quick)
+test long-tests: $(BUILD)/unit_tests$(exe) $(PROGRAM)
+	@sh tests/run.sh $(BUILD)/unit_tests$(exe) $(PROGRAM) $(BUILD) $(if $(filter long-tests,$@),long,quick)
 
 parts_tested = $(filter-out $(BUILD)/src/main.o,$(objects))
 
-$(BUILD)/unit_tests: $(parts_tested) $(test_objects)
+$(BUILD)/unit_tests$(exe): $(parts_tested) $(test_objects)
 	@echo "  link    $@"
 	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) $(LDFLAGS) -o $@
 
@@ -144,8 +145,8 @@ $(BUILD)/unity/%.cpp: always
 	@printf '#include "%s"\n' $(filter-out $(alone),$(wildcard $*/*.cpp)) > $@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-sweep: $(BUILD)/unit_tests
-	SEEDS="$(SEEDS)" OBJ="$(OBJ)" $(BUILD)/unit_tests -ts=sweep
+sweep: $(BUILD)/unit_tests$(exe)
+	SEEDS="$(SEEDS)" OBJ="$(OBJ)" $(BUILD)/unit_tests$(exe) -ts=sweep
 
 coverage:
 	+@BUILD="$(BUILD)" CXX="$(CXX)" sh tests/coverage.sh
@@ -205,10 +206,14 @@ dist:
 	    tar -czf $(BUILD)/$(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
 	@echo $(BUILD)/$(archive).tar.gz
 
-dist-windows: $(PROGRAM)
-	$(if $(windows),,$(error dist-windows: $(CXX) does not compile for Windows; expected CXX=x86_64-w64-mingw32-g++-posix))
-	@rm -rf $(BUILD)/$(archive) $(BUILD)/$(archive)-windows.zip && mkdir $(BUILD)/$(archive)
-	@cp -R $(PROGRAM) LICENSE README.md docs scenes $(BUILD)/$(archive)
+WINDOWS_CXX ?= $(if $(windows),$(CXX),x86_64-w64-mingw32-g++-posix)
+
+dist-windows:
+	@for tool in $(WINDOWS_CXX) zip; do command -v $$tool >/dev/null || \
+	    { echo "dist-windows: $$tool is missing; expected it, as in the packages zip and g++-mingw-w64-x86-64-posix" >&2; exit 2; }; done
+	+@$(MAKE) CXX=$(WINDOWS_CXX) BUILD=$(BUILD)/windows PROGRAM=$(BUILD)/windows/multipath.exe
+	@cd $(BUILD) && rm -rf $(archive) $(archive)-windows.zip && mkdir $(archive) && cp windows/multipath.exe $(archive)
+	@cp -R LICENSE README.md docs scenes $(BUILD)/$(archive)
 	@cd $(BUILD) && zip -qr $(archive)-windows.zip $(archive) && rm -r $(archive)
 	@echo $(BUILD)/$(archive)-windows.zip
 

@@ -19,10 +19,10 @@ case $program:$OS in
 *.exe:*)
     command -v wine >/dev/null || { echo "tests: wine is missing: install the package wine" >&2; exit 2; }
     for file in "$program" "$unit_tests"; do
-        printf '#!/bin/sh\nWINEDEBUG=-all exec wine "%s" "$@"\n' "$file" >"$scratch/$(basename "$file" .exe).exe"
-        chmod +x "$scratch/$(basename "$file" .exe).exe"
+        printf '#!/bin/sh\nWINEDEBUG=-all exec wine "%s" "$@"\n' "$file" >"$scratch/$(basename "$file")"
+        chmod +x "$scratch/$(basename "$file")"
     done
-    program=$scratch/$(basename "$program") unit_tests=$scratch/$(basename "$unit_tests" .exe).exe
+    program=$scratch/$(basename "$program") unit_tests=$scratch/$(basename "$unit_tests")
     ;;
 esac
 case $program in *.exe) LEAVE_OUT="$LEAVE_OUT interrupt memory" ;; esac

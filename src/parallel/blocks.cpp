@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 
+#include <atomic>
 #include <exception>
 #include <system_error>
 
@@ -73,15 +74,14 @@ void run_on_threads(int threads, const std::function<void()>& work)
         work();
         return;
     }
-    thread_local ThreadPool pool;
-    thread_local bool is_busy = false;
-    if (is_busy) { // nested call
+    static ThreadPool pool;
+    static std::atomic_flag is_busy = ATOMIC_FLAG_INIT;
+    if (is_busy.test_and_set()) { // nested call, or one of another thread
         ThreadPool().run(threads, work);
         return;
     }
-    is_busy = true;
     pool.run(threads, work);
-    is_busy = false;
+    is_busy.clear();
 }
 
 // Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a producer-

@@ -43,8 +43,8 @@ private:
     bool stopping_ = false;
 };
 
-/// ThreadPool::run on a pool that belongs to the calling thread. Calls can be nested; an inner call by a thread whose
-/// pool is busy uses a temporary pool.
+/// ThreadPool::run on the pool of the program. A call while it is busy, from within the work or by another thread, uses
+/// a temporary pool. (No pool of each thread: Windows lets no thread end while it joins others.)
 void run_on_threads(int threads, const std::function<void()>& work);
 
 /// Division of the numbers 0 ... items - 1, which stand for lines, rays or other units of work, into blocks.

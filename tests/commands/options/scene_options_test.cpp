@@ -1,5 +1,6 @@
 #include "commands/options/scene_options.h"
 
+#include "base/text_format.h"
 #include "commands/solve/accuracy.h"
 #include "scene/input_problem.h"
 #include "scene/scratch_folder.h"
@@ -88,7 +89,7 @@ TEST_CASE("the error of a scene without light ends with a command that lights it
                            {path, "--unit", "mm", "--two-sided", "--ignore=--shade"});
     const std::string problem = problem_of([&] { read_scene(line); });
     CHECK(contains(problem, "to light it by sky and sun: multipath solve "));
-    CHECK(contains(problem, "dark.obj --sky 10 --sun 150,40,20 --two-sided --unit mm --ignore=--shade"));
+    CHECK(contains(problem, shell_word(path) + " --sky 10 --sun 150,40,20 --two-sided --unit mm --ignore=--shade"));
 }
 
 } // namespace scene_options_test
