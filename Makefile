@@ -38,7 +38,8 @@ ifneq ($(windows),)
 WARNINGS += -Wno-format
 LDFLAGS  += -static
 manifest := $(BUILD)/src/base/platform/windows.res
-WINDRES  ?= $(if $(filter %-g++ %-g++-posix,$(CXX)),$(firstword $(subst -g++, ,$(CXX)))-)windres
+WINDRES  ?= $(shell for name in $(firstword $(subst -g++, ,$(CXX)))-windres windres x86_64-w64-mingw32-windres; do \
+                command -v $$name && break; done)
 endif
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
 COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \

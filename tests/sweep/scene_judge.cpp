@@ -121,7 +121,7 @@ private:
         std::string doubt;
         try {
             const Preparation preparation = prepare(scene_, options(way));
-            for (const std::size_t runs : {4u, 16u, 64u}) {
+            for (const std::size_t runs : {4u, 16u, 64u, 256u}) {
                 solve_until(samples, runs, preparation, options(way), seed_ * 1000);
                 doubt = doubt_about(way, preparation.unoccluded != nullptr, samples, runs);
                 if (doubt.empty())

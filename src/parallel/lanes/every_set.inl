@@ -36,7 +36,11 @@
 #define LANE_SET avx512
 #define LANE_SET_NAME "avx512"
 #define LANE_BYTES 64
+#if defined(__clang__) && __clang_major__ >= 18 && __clang_major__ < 22 // vectors of 64 bytes are a feature of their own
+#define LANE_TARGET __attribute__((target("avx512f,evex512")))
+#else
 #define LANE_TARGET __attribute__((target("avx512f")))
+#endif
 #include "parallel/lanes/one_set.inl"
 
 #define EVERY_TABLE &avx512::table, &avx2::table, &sse2::table, &plain::table
