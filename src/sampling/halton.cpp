@@ -12,6 +12,7 @@
 
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace multipath {
 
@@ -36,19 +37,51 @@ double radical_inverse(std::uint64_t base, std::uint64_t n)
     return value < 1.0 ? value : 1.0 - 0x1p-53;
 }
 
-RadicalInverse::RadicalInverse(std::uint64_t base) : base_(base)
+namespace {
+
+/// The permuted values of all digits, position by position.
+std::vector<std::vector<double>> permuted_digits(std::uint64_t base, std::uint64_t key)
 {
+    std::vector<std::vector<double>> positions;
+    std::uint64_t counter = 0;
+    for (double weight = 1.0; weight > 0x1p-54;) {
+        weight /= static_cast<double>(base);
+        std::vector<double> values(base);
+        for (std::uint64_t digit = 0; digit < base; ++digit)
+            values[digit] = weight * static_cast<double>(digit);
+        for (std::uint64_t left = base; left > 1; --left) // Fisher-Yates shuffle; bias of the modulo below 2^-44
+            std::swap(values[left - 1], values[random_bits(key, counter++) % left]);
+        positions.push_back(std::move(values));
+    }
+    return positions;
+}
+
+} // namespace
+
+RadicalInverse::RadicalInverse(std::uint64_t base, std::optional<std::uint64_t> key) : base_(base)
+{
+    if (key)
+        permuted_ = permuted_digits(base, *key);
     std::uint64_t size = base;
-    while (size * base <= largest_table)
-        size *= base;
+    for (; size * base <= largest_table; size *= base)
+        ++low_digits_;
     low_.reserve(size);
     for (std::uint64_t n = 0; n < size; ++n)
-        low_.push_back(radical_inverse(base, n));
+        low_.push_back(key ? sum_of_permuted(n, 0, low_digits_) : radical_inverse(base, n));
 }
 
 double RadicalInverse::high_part(std::uint64_t high_digits) const
 {
-    return radical_inverse(base_, high_digits) / static_cast<double>(low_.size());
+    return permuted_.empty() ? radical_inverse(base_, high_digits) / static_cast<double>(low_.size())
+                             : sum_of_permuted(high_digits, low_digits_, permuted_.size());
+}
+
+double RadicalInverse::sum_of_permuted(std::uint64_t digits, std::size_t first, std::size_t end) const
+{
+    double value = 0.0;
+    for (std::size_t position = first; position < end; ++position, digits /= base_)
+        value += permuted_[position][digits % base_];
+    return value;
 }
 
 namespace {
@@ -71,11 +104,10 @@ void check_bases(const std::vector<std::uint64_t>& bases)
 }
 
 /// "2,7,3,5"
-template <class Inverse>
-std::string bases_text(const std::vector<Inverse>& inverses)
+std::string bases_text(const std::vector<RadicalInverse>& inverses)
 {
     std::string text;
-    for (const Inverse& inverse : inverses)
+    for (const RadicalInverse& inverse : inverses)
         text += (text.empty() ? "" : ",") + std::to_string(inverse.base());
     return text;
 }
@@ -86,16 +118,30 @@ double shifted(double x, double shift)
     return x + shift < 1.0 ? x + shift : x + shift - 1.0;
 }
 
-/// The plain and the shifted sequence; the plain one has the shift 0.
-class HaltonSequence : public Sequence
+/// All kinds of the sequence; without a shift the shifts are 0.
+class HaltonSequence final : public Sequence
 {
 public:
-    HaltonSequence(std::string kind, const std::vector<std::uint64_t>& bases, std::vector<double> shifts)
-        : kind_(std::move(kind)), inverses_(bases.begin(), bases.end()), shifts_(std::move(shifts))
+    HaltonSequence(HaltonKind kind, const std::vector<std::uint64_t>& bases, std::uint64_t seed)
+        : kind_(kind), shifts_(bases.size(), 0.0)
     {
+        for (std::size_t d = 0; d < bases.size(); ++d) {
+            if (kind == HaltonKind::permuted)
+                inverses_.emplace_back(bases[d], random_bits(random_key(RandomStream::halton_permutations, seed), d));
+            else
+                inverses_.emplace_back(bases[d]);
+            if (kind == HaltonKind::shift)
+                shifts_[d] = bits_to_unit(random_bits(random_key(RandomStream::halton_shift, seed), d));
+        }
     }
 
-    std::string name() const override { return kind_ + ":" + bases_text(inverses_); }
+    std::string name() const override
+    {
+        const std::string randomisation = kind_ == HaltonKind::shift      ? "-shift"
+                                          : kind_ == HaltonKind::permuted ? "-permuted"
+                                                                          : "";
+        return "halton" + randomisation + ":" + bases_text(inverses_);
+    }
     int dimensions() const override { return static_cast<int>(inverses_.size()); }
     std::uint64_t item_limit() const override { return halton_limit; }
     double coordinate(std::uint64_t n, int dimension) const override
@@ -113,101 +159,9 @@ public:
     }
 
 private:
-    std::string kind_;
+    HaltonKind kind_;
     std::vector<RadicalInverse> inverses_;
     std::vector<double> shifts_;
-};
-
-/// Radical inverses with permuted digits: each digit position has a random permutation of its own, up to the last
-/// position that changes a double. The leading zeros of n are permuted too; otherwise the points would not be uniform.
-class PermutedInverse
-{
-public:
-    PermutedInverse(std::uint64_t base, std::uint64_t key) : base_(base)
-    {
-        std::uint64_t counter = 0;
-        for (double weight = 1.0; weight > 0x1p-54;) {
-            weight /= static_cast<double>(base);
-            std::vector<double> values(base);
-            for (std::uint64_t digit = 0; digit < base; ++digit)
-                values[digit] = weight * static_cast<double>(digit);
-            for (std::uint64_t left = base; left > 1; --left) // Fisher-Yates shuffle; bias of the modulo below 2^-44
-                std::swap(values[left - 1], values[random_bits(key, counter++) % left]);
-            digit_values_.push_back(std::move(values));
-        }
-        std::uint64_t size = 1;
-        while (size == 1 || (size * base <= largest_table && low_digits_ < digit_values_.size())) {
-            size *= base;
-            ++low_digits_;
-        }
-        for (std::uint64_t n = 0; n < size; ++n)
-            low_.push_back(sum_of_digits(n, 0, low_digits_));
-    }
-
-    std::uint64_t base() const { return base_; }
-    double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
-
-    /// Calls put(k, value) with the permuted inverses of first + k for k = 0 ... count - 1.
-    template <class Put>
-    void for_range(std::uint64_t first, std::uint64_t count, const Put& put) const
-    {
-        std::uint64_t last_high = first / low_.size();
-        double high = high_part(last_high);
-        for (std::uint64_t k = 0; k < count; ++k) {
-            const std::uint64_t n = first + k;
-            if (n / low_.size() != last_high) {
-                last_high = n / low_.size();
-                high = high_part(last_high);
-            }
-            put(k, sum(low_[n % low_.size()], high));
-        }
-    }
-
-private:
-    static double sum(double low, double high) { return low + high < 1.0 ? low + high : 1.0 - 0x1p-53; }
-    double high_part(std::uint64_t high_digits) const
-    {
-        return sum_of_digits(high_digits, low_digits_, digit_values_.size());
-    }
-    double sum_of_digits(std::uint64_t n, std::size_t first, std::size_t last) const
-    {
-        double value = 0.0;
-        for (std::size_t position = first; position < last; ++position, n /= base_)
-            value += digit_values_[position][n % base_];
-        return value;
-    }
-
-    std::uint64_t base_;
-    /// digit_values_[k][digit] = permuted digit * base^-(k + 1), for digit position k from the lowest digit of n on.
-    std::vector<std::vector<double>> digit_values_;
-    std::size_t low_digits_ = 0; ///< number of digits of n that the table covers
-    std::vector<double> low_;    ///< sums over the first low_digits_ positions
-};
-
-class PermutedHalton final : public Sequence
-{
-public:
-    PermutedHalton(const std::vector<std::uint64_t>& bases, std::uint64_t seed)
-    {
-        for (std::size_t d = 0; d < bases.size(); ++d)
-            inverses_.emplace_back(bases[d], random_bits(random_key(RandomStream::halton_permutations, seed), d));
-    }
-
-    std::string name() const override { return "halton-permuted:" + bases_text(inverses_); }
-    int dimensions() const override { return static_cast<int>(inverses_.size()); }
-    std::uint64_t item_limit() const override { return halton_limit; }
-    double coordinate(std::uint64_t n, int dimension) const override
-    {
-        return inverses_[static_cast<std::size_t>(dimension)](n);
-    }
-    void generate(std::uint64_t first, std::vector<Item>& items) const override
-    {
-        for (std::size_t d = 0; d < 4; ++d)
-            inverses_[d].for_range(first, items.size(), [&](std::uint64_t k, double x) { items[k][d] = x; });
-    }
-
-private:
-    std::vector<PermutedInverse> inverses_;
 };
 
 class HammersleySequence final : public Sequence
@@ -239,13 +193,7 @@ std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vecto
                                                std::uint64_t seed)
 {
     check_bases(bases);
-    if (kind == HaltonKind::permuted)
-        return std::make_unique<PermutedHalton>(bases, seed);
-    std::vector<double> shifts(bases.size(), 0.0);
-    if (kind == HaltonKind::shift)
-        for (std::size_t d = 0; d < shifts.size(); ++d)
-            shifts[d] = bits_to_unit(random_bits(random_key(RandomStream::halton_shift, seed), d));
-    return std::make_unique<HaltonSequence>(kind == HaltonKind::shift ? "halton-shift" : "halton", bases, shifts);
+    return std::make_unique<HaltonSequence>(kind, bases, seed);
 }
 
 std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)

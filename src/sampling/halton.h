@@ -2,7 +2,9 @@
 
 #include "sampling/sequence.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -15,11 +17,12 @@ double radical_inverse(std::uint64_t base, std::uint64_t n);
 
 /// Computes radical inverses in one base fast: a table holds the radical inverses of the low digits, to which the
 /// contribution of the high digits is added. In bases up to 1024 the result differs from radical_inverse by less than
-/// 2^-50.
+/// 2^-50. With a key the digits are permuted, each digit position by a random permutation of its own, up to the last
+/// position that changes a double; the leading zeros of n are permuted too, or the points would not be uniform.
 class RadicalInverse
 {
 public:
-    explicit RadicalInverse(std::uint64_t base); ///< base >= 2
+    explicit RadicalInverse(std::uint64_t base, std::optional<std::uint64_t> key = {}); ///< base >= 2
 
     std::uint64_t base() const { return base_; }
     double operator()(std::uint64_t n) const { return sum(low_[n % low_.size()], high_part(n / low_.size())); }
@@ -36,9 +39,14 @@ private:
         return value < 1.0 ? value : 1.0 - 0x1p-53;
     }
     double high_part(std::uint64_t high_digits) const;
+    double sum_of_permuted(std::uint64_t digits, std::size_t first, std::size_t end) const;
 
     std::uint64_t base_;
-    std::vector<double> low_; ///< radical inverses of 0 ... base^k - 1: all values of the low k digits
+    /// permuted_[k][digit] = permuted digit * base^-(k + 1), for digit position k from the lowest digit of n on; empty
+    /// without a key.
+    std::vector<std::vector<double>> permuted_;
+    std::size_t low_digits_ = 1; ///< number of digits that the table covers
+    std::vector<double> low_;    ///< radical inverses of all values of the low digits
 };
 
 template <class Put>

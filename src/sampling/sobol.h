@@ -32,13 +32,7 @@ inline std::uint64_t reverse_bits(std::uint64_t x)
     x = (x >> 1 & 0x5555555555555555u) | (x & 0x5555555555555555u) << 1;
     x = (x >> 2 & 0x3333333333333333u) | (x & 0x3333333333333333u) << 2;
     x = (x >> 4 & 0x0f0f0f0f0f0f0f0fu) | (x & 0x0f0f0f0f0f0f0f0fu) << 4;
-#if defined(__GNUC__)
     return __builtin_bswap64(x);
-#else
-    x = (x >> 8 & 0x00ff00ff00ff00ffu) | (x & 0x00ff00ff00ff00ffu) << 8;
-    x = (x >> 16 & 0x0000ffff0000ffffu) | (x & 0x0000ffff0000ffffu) << 16;
-    return x >> 32 | x << 32;
-#endif
 }
 
 /// Owen scrambling (nested uniform scrambling) by hashing, of a fixed-point fraction x whose bits are *reversed* (bit 0

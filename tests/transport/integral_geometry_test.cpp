@@ -99,13 +99,12 @@ TEST_CASE("rays from either of two unlike rectangles and lines through both find
         CAPTURE(sequence);
         for (const std::uint32_t from : {0u, 1u}) {
             CAPTURE(from);
-            const LocalRays rays(scene.patch(from));
             std::vector<double> samples;
             for (std::uint64_t seed = 1; seed <= runs; ++seed) {
                 const auto items = make_sequence(sequence, seed);
                 double arrived = 0.0;
                 for (std::uint64_t n = 0; n < line_count; ++n)
-                    arrived += receiver(scene, from, rays.line(items->item(n))) == 1 - from ? 1.0 : 0.0;
+                    arrived += receiver(scene, from, local_line(scene.patch(from), items->item(n))) == 1 - from ? 1.0 : 0.0;
                 samples.push_back(scene.area(from) * arrived / line_count);
             }
             CHECK(estimate(samples).agrees_with(exchange));

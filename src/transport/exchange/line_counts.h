@@ -119,7 +119,7 @@ private:
 /// The division of the allotted rays into blocks, the units of work of count_rays.
 Blocks ray_blocks(const Allotment& rays);
 
-/// Casts the allotted rays (LocalRays) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them;
+/// Casts the allotted rays (local_lines) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them;
 /// those that reach the sky count as escaped. A run that is stopped casts the rays of fewer blocks, from the beginning
 /// of the range. Moves range.next past the blocks done, and leaves the counts merged. Ray n of the allotment takes the
 /// item first_item + n of the sequence.

@@ -73,19 +73,9 @@ std::array<GlobalLines::Side, 6> GlobalLines::unrolled(const Bounds& box)
 
 Line GlobalLines::line(const Item& item) const
 {
-    return chords_ == Chords::box ? box_line(item) : sphere_line(item);
-}
-
-Line GlobalLines::sphere_line(const Item& item) const
-{
-    const Vec3 from = box_.centre() + radius_ * rotated(square_to_uniform_sphere(item[0], item[1]));
-    const Vec3 to = box_.centre() + radius_ * rotated(square_to_uniform_sphere(item[2], item[3]));
-    return chord(from, to);
-}
-
-Line GlobalLines::box_line(const Item& item) const
-{
-    return box_line(item, square_to_cosine_hemisphere(item[2], item[3]));
+    Line result;
+    lines(&item, 1, &result);
+    return result;
 }
 
 /// The line of an item, given its direction `local` in the frame of the side, with +z into the box.
@@ -159,16 +149,6 @@ std::uint64_t GlobalLines::lines_to_cast(std::uint64_t lines_met) const
 double GlobalLines::expected_crossings(double area, std::uint64_t lines_cast) const
 {
     return 2.0 * area / area_of_starts() * static_cast<double>(lines_cast); // (G1)
-}
-
-double GlobalLines::area_of_starts() const
-{
-    return chords_ == Chords::box ? box_.area() : sphere_area();
-}
-
-double GlobalLines::sphere_area() const
-{
-    return 4.0 * pi * radius_ * radius_;
 }
 
 } // namespace multipath

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/elementary.h"
 #include "geometry/bounds.h"
 #include "geometry/line.h"
 #include "sampling/sequence.h"
@@ -26,7 +27,7 @@ public:
     /// The line of one 4-D item, a chord that begins before and ends after all surfaces along it.
     Line line(const Item& item) const;
 
-    /// Writes the lines of `count` items to lines[0] ... lines[count - 1]: the same lines as line(), computed faster.
+    /// Writes the lines of `count` items to lines[0] ... lines[count - 1]: many at a time are computed faster.
     void lines(const Item* items, std::size_t count, Line* lines) const;
 
     /// Number of lines to cast so that `lines_met` of them meet the bounding box in expectation ((N1) in
@@ -37,7 +38,8 @@ public:
     /// docs/equations.md).
     double expected_crossings(double area, std::uint64_t lines_cast) const;
 
-    double sphere_area() const; ///< [m^2] area of the sphere around the bounding box, for both kinds of chords
+    /// [m^2] Area of the sphere around the bounding box, for both kinds of chords.
+    double sphere_area() const { return 4.0 * pi * radius_ * radius_; }
 
 private:
     /// A side of the box, spanned by two unit vectors whose cross product points into the box.
@@ -52,12 +54,11 @@ private:
     };
 
     static std::array<Side, 6> unrolled(const Bounds& box);
-    Line sphere_line(const Item& item) const;
-    Line box_line(const Item& item) const;
     Line box_line(const Item& item, Vec3 local) const;
     void sphere_lines(const Item* items, std::size_t count, Line* lines) const;
     void box_lines(const Item* items, std::size_t count, Line* lines) const;
-    double area_of_starts() const; ///< [m^2] area of the surface on which the lines start, A_0 of (G1)
+    /// [m^2] Area of the surface on which the lines start, A_0 of (G1).
+    double area_of_starts() const { return chords_ == Chords::box ? box_.area() : sphere_area(); }
 
     Bounds box_;
     Chords chords_;

@@ -1,5 +1,6 @@
 #include "transport/lines/local_rays.h"
 
+#include "sampling/warp.h"
 #include "sampling/warp_kernel.h"
 #include "transport/lines/line_segments.h"
 
@@ -8,30 +9,37 @@
 
 namespace multipath {
 
-LocalRays::LocalRays(const Patch& patch) : shape_(patch.shape), axes_(patch.shape, patch.shape.normal()) {}
+namespace {
 
-Line LocalRays::line(const Item& item) const
+/// A patch, and the frame in which the directions of its rays are given.
+struct Sender
 {
-    return line(item, square_to_cosine_hemisphere(item[2], item[3]));
-}
+    Surface shape;
+    ObliqueAxes axes;
 
-Line LocalRays::line(const Item& item, Vec3 local) const
-{
-    // A ray must not start on the border of the patch, where rounding could put it outside a closed room.
-    const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
-    return {square_to_uniform_surface(shape_, inside(item[0]), inside(item[1])), axes_.turned(local)};
-}
+    explicit Sender(const Patch& patch) : shape(patch.shape), axes(patch.shape, patch.shape.normal()) {}
+
+    /// The ray of an item; `local`: its direction in the frame, square_to_cosine_hemisphere(item[2], item[3]).
+    Line ray(const Item& item, Vec3 local) const
+    {
+        // A ray must not start on the border of the patch, where rounding could put it outside a closed room.
+        const auto inside = [](double x) { return std::clamp(x, 0x1p-30, 1.0 - 0x1p-30); };
+        return {square_to_uniform_surface(shape, inside(item[0]), inside(item[1])), axes.turned(local)};
+    }
+};
+
+} // namespace
 
 Line local_line(const Patch& patch, const Item& item)
 {
-    return LocalRays(patch).line(item);
+    return Sender(patch).ray(item, square_to_cosine_hemisphere(item[2], item[3]));
 }
 
 void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines)
 {
     SquarePoints square;
     WarpedPoints local;
-    std::optional<LocalRays> rays;
+    std::optional<Sender> sender;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lane = k % warp_block;
         if (lane == 0) {
@@ -39,8 +47,8 @@ void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* i
             warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
         }
         if (k == 0 || patches[k] != patches[k - 1])
-            rays.emplace(scene.patch(patches[k]));
-        lines[k] = rays->line(items[k], {local.x[lane], local.y[lane], local.z[lane]});
+            sender.emplace(scene.patch(patches[k]));
+        lines[k] = sender->ray(items[k], {local.x[lane], local.y[lane], local.z[lane]});
     }
 }
 

@@ -3,7 +3,6 @@
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/line.h"
 #include "sampling/sequence.h"
-#include "sampling/warp.h"
 #include "scene/scene.h"
 
 #include <cstddef>
@@ -12,25 +11,8 @@
 
 namespace multipath {
 
-/// Sampler of the rays that leave the front of one patch.
-class LocalRays
-{
-public:
-    explicit LocalRays(const Patch& patch);
-
-    /// The ray of one item: item[0] and item[1] choose its start, uniform on the patch, item[2] and item[3] its
-    /// cosine-distributed direction.
-    Line line(const Item& item) const;
-
-    /// The same ray, for a caller that has already computed `local` = square_to_cosine_hemisphere(item[2], item[3]).
-    Line line(const Item& item, Vec3 local) const;
-
-private:
-    Surface shape_;
-    ObliqueAxes axes_;
-};
-
-/// A single ray of LocalRays(patch).
+/// The ray of one item that leaves the front of a patch: item[0] and item[1] choose its start, uniform on the patch,
+/// item[2] and item[3] its cosine-distributed direction.
 Line local_line(const Patch& patch, const Item& item);
 
 /// Writes `count` rays to `lines`: ray k leaves patches[k] and takes items[k]. They are the same as those of
@@ -52,7 +34,7 @@ constexpr std::uint64_t rays_per_block = 4096;
 struct RayBlock
 {
     std::vector<std::uint32_t> patches;   ///< per ray: the patch that the ray leaves
-    std::vector<Item> items;              ///< per ray: the item that makes it (LocalRays::line)
+    std::vector<Item> items;              ///< per ray: the item that makes it (local_line)
     std::vector<std::uint32_t> receivers; ///< per ray: the result of receiver()
 
     /// Sets `receivers`, given `patches` and `items` of equal length.
