@@ -153,6 +153,14 @@ public:
         std::size_t length_;
     };
 
+    /// Calls object.visit(archive) in a scope of this name.
+    template <class Object>
+    void object(const std::string& name, Object& object)
+    {
+        const Inner inner(*this, name);
+        object.visit(*this);
+    }
+
 protected:
     /// Writes or reads an array of `length` elements. read() throws ArchiveError if the array is missing, or has
     /// another element type or length.

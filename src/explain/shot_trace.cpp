@@ -39,7 +39,7 @@ TracedLine trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& ori
 std::vector<TracedLine> trace_rays(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                    const std::vector<Shot>& shots, PowerState state, const TracedRange& range)
 {
-    require_in_stage(range, ray_count(shots), "rays");
+    require_in_stage(range, rays_of(shots).rays(), "rays");
     std::vector<TracedLine> lines;
     std::uint64_t n = 0;
     for (const Shot& shot : shots)

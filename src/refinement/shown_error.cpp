@@ -12,6 +12,7 @@
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
 #include "radiosity/run/replicates.h"
+#include "sampling/discrete_distribution.h"
 #include "sampling/random.h"
 #include "sampling/sequence.h"
 #include "sampling/warp.h"
@@ -40,29 +41,26 @@ class SamplePoints
 public:
     SamplePoints(const Scene& scene, const std::vector<Rgb>& guide) : scene_(scene), guide_(guide)
     {
-        double sum = 0.0;
         for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-            ends_.push_back(sum += scene.surfaces()[s].area());
-        sum = 0.0;
+            areas_.add(scene.surfaces()[s].area());
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            powers_.push_back(sum += scene.area(i) * reflected(i));
-        if (!(sum > 0.0))
-            powers_.clear();
+            powers_.add(scene.area(i) * reflected(i));
     }
 
     SamplePoint at(const Item& item) const
     {
-        const double kinds = powers_.empty() ? 2.0 : 3.0;
+        const bool any_power = powers_.total() > 0.0;
+        const double kinds = any_power ? 3.0 : 2.0;
         const double kind = kinds * item[3];
         const Hit hit = kind < 1.0   ? by_area(item[0], item[1], item[2])
                         : kind < 2.0 ? in_patch(any_patch(item[0]), item[1], item[2])
-                                     : in_patch(bright_patch(item[0]), item[1], item[2]);
+                                     : in_patch(static_cast<std::uint32_t>(powers_.at(item[0])), item[1], item[2]);
         const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
         if (scene_.is_sky(hit.surface))
             return {hit, 0.0};
         double density = 1.0 + scene_.own_area() / (scene_.patch_count() * scene_.area(patch));
-        if (!powers_.empty())
-            density += scene_.own_area() * reflected(patch) / powers_.back();
+        if (any_power)
+            density += scene_.own_area() * reflected(patch) / powers_.total();
         return {hit, kinds / density};
     }
 
@@ -70,20 +68,13 @@ private:
     double reflected(std::uint32_t i) const { return std::max(0.0, mean(guide_[i] - scene_.emittance(i))); }
 
     std::uint32_t any_patch(double x) const { return static_cast<std::uint32_t>(x * scene_.patch_count()); }
-    std::uint32_t bright_patch(double x) const
-    {
-        const auto found = std::upper_bound(powers_.begin(), powers_.end() - 1, x * powers_.back());
-        return static_cast<std::uint32_t>(found - powers_.begin());
-    }
 
     Hit by_area(double which, double a, double b) const
     {
         const double sides = scene_.two_sided() ? 2.0 : 1.0;
         const bool front = which * sides < 1.0;
-        const double place = (front ? which * sides : which * sides - 1.0) * ends_.back();
-        const auto found = std::upper_bound(ends_.begin(), ends_.end() - 1, place);
-        const auto surface = static_cast<std::uint32_t>(found - ends_.begin());
-        const GridPlace inside = in_shape(scene_.surfaces()[surface].shape, a, b);
+        const auto surface = static_cast<std::uint32_t>(areas_.at(front ? which * sides : which * sides - 1.0));
+        const SurfacePoint inside = square_to_uniform_shape(scene_.surfaces()[surface].shape, a, b);
         return {0.0, surface, inside.u, inside.v, front};
     }
 
@@ -93,7 +84,7 @@ private:
         const bool front = scene_.is_front(patch);
         const Tessellation& cells = scene_.tessellation(surface);
         const CellCorners corners = scene_.corners(patch);
-        const GridPlace inside = in_shape(cells.shape, a, b);
+        const SurfacePoint inside = square_to_uniform_shape(cells.shape, a, b);
         const GridPoint& origin = corners.points[0];
         const GridPoint& along_u = corners.points[1];
         const GridPoint& along_v = corners.points[corners.count - 1];
@@ -104,25 +95,10 @@ private:
                 between(origin.j, along_u.j, along_v.j, cells.grid_v()), front};
     }
 
-    struct GridPlace
-    {
-        double u;
-        double v;
-    };
-
-    /// A uniform point for (a, b) in [0, 1)^2.
-    static GridPlace in_shape(Shape shape, double a, double b)
-    {
-        if (shape == Shape::parallelogram)
-            return {a, b};
-        const Barycentric inside = square_to_uniform_triangle(a, b);
-        return {inside.u, inside.v};
-    }
-
     const Scene& scene_;
     const std::vector<Rgb>& guide_;
-    std::vector<double> ends_;   ///< [m^2] cumulative area of the surfaces
-    std::vector<double> powers_; ///< [W] cumulative reflected power of the patches; empty if none reflects
+    DiscreteDistribution areas_;  ///< [m^2] of the surfaces
+    DiscreteDistribution powers_; ///< [W] reflected by the patches
 };
 
 /// Sums over sample points.

@@ -70,16 +70,12 @@ Allotment::Allotment(const std::vector<double>& expected, double offset)
     : first_ray_(vector_with_capacity<std::uint64_t>(expected.size() + 1))
 {
     first_ray_.push_back(0);
-    SystematicRounding rounding(offset);
     double sum = offset;
-    for (const double rays : expected) {
-        sum += rays;
-        rounding.up_to(sum);
-        first_ray_.push_back(rounding.given());
-    }
+    for (const double rays : expected)
+        first_ray_.push_back(whole_part(sum += rays));
 }
 
-std::uint32_t Allotment::patch_of(std::uint64_t ray) const
+std::uint32_t Allotment::recipient_of(std::uint64_t ray) const
 {
     const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), ray);
     return static_cast<std::uint32_t>(after - first_ray_.begin() - 1);

@@ -240,7 +240,7 @@ std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint6
         return make_sequence(name, seed);
     // Four bases are those of 4-D items; pairs of 2-D points use the first two.
     const std::size_t colon = name.find(':');
-    const bool has_bases = sequence_kind(name).may_have_bases() && colon != std::string::npos;
+    const bool has_bases = sequence_kind(name).arguments == "[:BASES]" && colon != std::string::npos;
     std::string points = name;
     if (has_bases) {
         const std::vector<std::uint64_t> bases = parse_list(name.substr(colon + 1));

@@ -61,10 +61,6 @@ struct SequenceKind
     std::string_view randomised;
     bool fills_best_at_powers_of_two; ///< true if the first 2^k points are more uniform than other numbers of points
     bool in_selftest;                 ///< true if the selftest runs it
-
-    /// True if a list of bases, one for each dimension, may follow the name directly. False for hammersley, which has
-    /// its number of points there.
-    bool may_have_bases() const { return arguments == "[:BASES]"; }
 };
 
 /// All kinds of sequences, in the order of the help text.

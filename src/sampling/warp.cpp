@@ -24,7 +24,7 @@ Vec3 square_to_cosine_hemisphere(double a, double b)
     return {radius * angle.cos, radius * angle.sin, std::sqrt(1.0 - a)};
 }
 
-Barycentric square_to_uniform_triangle(double a, double b)
+SurfacePoint square_to_uniform_triangle(double a, double b)
 {
     const double width =
         std::sqrt(1.0 - a); // of the triangle in v at u = 1 - width; the share width^2 lies beyond this u
@@ -33,17 +33,11 @@ Barycentric square_to_uniform_triangle(double a, double b)
 
 namespace {
 
-/// The component of x orthogonal to the unit vector `axis`, normalised.
-Vec3 orthogonal_part(Vec3 x, Vec3 axis)
-{
-    return normalized(x - dot(x, axis) * axis);
-}
-
 /// The unit vector on the arc from `axis` towards `other` whose cosine with `axis` is given.
 Vec3 along_arc(Vec3 axis, Vec3 other, double cosine)
 {
     const double bounded = std::clamp(cosine, -1.0, 1.0);
-    return bounded * axis + std::sqrt(1.0 - bounded * bounded) * orthogonal_part(other, axis);
+    return bounded * axis + std::sqrt(1.0 - bounded * bounded) * normalized(other - dot(other, axis) * axis);
 }
 
 } // namespace

@@ -15,8 +15,8 @@ Vec3 square_to_uniform_sphere(double a, double b);
 /// of the light that a diffuse surface emits.
 Vec3 square_to_cosine_hemisphere(double a, double b);
 
-/// Barycentric coordinates of a point of a triangle: the point is the first corner + u * edge_u + v * edge_v.
-struct Barycentric
+/// Coordinates of a point of a surface: the point is the origin + u * edge_u + v * edge_v.
+struct SurfacePoint
 {
     double u;
     double v;
@@ -24,14 +24,18 @@ struct Barycentric
 
 /// Uniform point of the triangle u, v >= 0, u + v <= 1, density 2. The map is continuous, so low-discrepancy points
 /// stay well spread.
-Barycentric square_to_uniform_triangle(double a, double b);
+SurfacePoint square_to_uniform_triangle(double a, double b);
 
-/// Uniform point of a surface, density 1 / area.
+/// Uniform point of a surface of this shape.
+inline SurfacePoint square_to_uniform_shape(Shape shape, double a, double b)
+{
+    return shape == Shape::parallelogram ? SurfacePoint{a, b} : square_to_uniform_triangle(a, b);
+}
+
+/// The same as a point of space, density 1 / area.
 inline Vec3 square_to_uniform_surface(const Surface& surface, double a, double b)
 {
-    if (surface.shape == Shape::parallelogram)
-        return surface.at(a, b);
-    const Barycentric point = square_to_uniform_triangle(a, b);
+    const SurfacePoint point = square_to_uniform_shape(surface.shape, a, b);
     return surface.at(point.u, point.v);
 }
 

@@ -47,6 +47,13 @@ inline bool operator!=(Rgb a, Rgb b)
     return !(a == b);
 }
 
+/// f of each channel: of one colour, or of the same channel of several.
+template <class Function, class... Colours>
+Rgb by_channel(const Function& f, Colours... colours)
+{
+    return {f(colours.r...), f(colours.g...), f(colours.b...)};
+}
+
 /// a / b, or 0 where b is 0; for colours, channel by channel.
 inline double quotient(double a, double b)
 {
@@ -54,7 +61,26 @@ inline double quotient(double a, double b)
 }
 inline Rgb quotient(Rgb a, Rgb b)
 {
-    return {quotient(a.r, b.r), quotient(a.g, b.g), quotient(a.b, b.b)};
+    return by_channel([](double x, double y) { return quotient(x, y); }, a, b);
+}
+
+inline double square_root(double a)
+{
+    return std::sqrt(a);
+}
+inline Rgb square_root(Rgb a)
+{
+    return by_channel([](double x) { return std::sqrt(x); }, a);
+}
+
+/// True if a <= b; for colours, in all channels.
+inline bool at_most(double a, double b)
+{
+    return a <= b;
+}
+inline bool at_most(Rgb a, Rgb b)
+{
+    return a.r <= b.r && a.g <= b.g && a.b <= b.b;
 }
 
 /// The mean of the channels, used where the multi-path method needs one number instead of three channels

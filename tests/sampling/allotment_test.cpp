@@ -21,7 +21,7 @@ TEST_CASE("rays are numbered patch by patch, and each belongs to one patch")
     CHECK(allotment.rays_of(4) == 0);
     for (std::uint32_t patch = 0; patch < 5; ++patch)
         for (std::uint64_t ray = allotment.first_ray(patch); ray < allotment.first_ray(patch + 1); ++ray)
-            CHECK(allotment.patch_of(ray) == patch);
+            CHECK(allotment.recipient_of(ray) == patch);
     CHECK(Allotment(7).rays() == 0);
 }
 
@@ -56,13 +56,14 @@ TEST_CASE("each number is rounded up or down, and to itself on the average over 
     std::vector<double> sums(expected.size());
     for (int offset = 0; offset < n; ++offset) {
         double sum = static_cast<double>(offset) / n; // exact, as all sums are
-        SystematicRounding rounding(sum);
-        for (std::size_t k = 0; k < expected.size(); ++k) {
-            const auto rounded = static_cast<double>(rounding.up_to(sum += expected[k]));
+        const Allotment allotment(expected, sum);
+        for (std::uint32_t k = 0; k < expected.size(); ++k) {
+            const auto rounded = static_cast<double>(allotment.rays_of(k));
             CHECK(std::abs(rounded - expected[k]) < 1.0);
+            sum += expected[k];
             sums[k] += rounded;
         }
-        CHECK(static_cast<double>(rounding.given()) == std::floor(sum));
+        CHECK(static_cast<double>(allotment.rays()) == std::floor(sum));
     }
     for (std::size_t k = 0; k < expected.size(); ++k)
         CHECK(sums[k] == n * expected[k]);

@@ -42,7 +42,7 @@ TEST_CASE("the maps have the moments of their targets")
             const Vec3 h = square_to_cosine_hemisphere(a, b);
             CHECK((h.z >= 0.0 && std::abs(length(h) - 1.0) < 1e-15));
             cosine_mean += h.z;
-            const Barycentric p = square_to_uniform_triangle(a, b);
+            const SurfacePoint p = square_to_uniform_triangle(a, b);
             CHECK((p.u >= 0 && p.v >= 0 && p.u + p.v <= 1.0 + 1e-15));
             u_mean += p.u;
             v_mean += p.v;

@@ -123,7 +123,7 @@ private:
             const Preparation preparation = prepare(scene_, options(way));
             for (const std::size_t runs : {4u, 16u, 64u, 256u}) {
                 solve_until(samples, runs, preparation, options(way), seed_ * 1000);
-                doubt = doubt_about(way, preparation.unoccluded != nullptr, samples, runs);
+                doubt = doubt_about(way, preparation.unoccluded.valid(), samples, runs);
                 if (doubt.empty())
                     return;
             }

@@ -17,7 +17,9 @@
 #include "geometry/form_factor/gauss_legendre.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace multipath {
 
@@ -30,21 +32,15 @@ struct Edge
     double length;
 };
 
-struct Edges
+std::vector<Edge> edges_of(const FlatPolygon& polygon)
 {
-    std::array<Edge, 5> edges; ///< only the first `size` are used
-    std::size_t size;
-};
-
-Edges edges_of(const FlatPolygon& polygon)
-{
-    Edges result = {{}, polygon.size};
+    std::vector<Edge> edges;
     for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 along = polygon.next(k) - polygon.corners[k];
         const double l = length(along);
-        result.edges[k] = {polygon.corners[k], l > 0.0 ? (1.0 / l) * along : Vec3{}, l};
+        edges.push_back({polygon.corners[k], l > 0.0 ? (1.0 / l) * along : Vec3{}, l});
     }
-    return result;
+    return edges;
 }
 
 /// ln r, or 0 at r = 0, where its factor is a length that vanishes.
@@ -221,13 +217,10 @@ double contour_integral(const FlatPolygon& a, const FlatPolygon& b)
     constexpr double perpendicular = 1e-12;
     constexpr double parallel = 1e-9;
     constexpr double nearly_parallel = 1e-3;
-    const Edges a_edges = edges_of(a);
-    const Edges b_edges = edges_of(b);
+    const std::vector<Edge> b_edges = edges_of(b);
     double sum = 0.0;
-    for (std::size_t k = 0; k < a_edges.size; ++k)
-        for (std::size_t l = 0; l < b_edges.size; ++l) {
-            const Edge& e = a_edges.edges[k];
-            const Edge& f = b_edges.edges[l];
+    for (const Edge& e : edges_of(a))
+        for (const Edge& f : b_edges) {
             const double cosine = dot(e.direction, f.direction);
             if (std::abs(cosine) < perpendicular)
                 continue;

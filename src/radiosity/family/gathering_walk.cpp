@@ -26,17 +26,16 @@ std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double off
     double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         all += std::sqrt(scene.area(i));
+    std::vector<double> expected;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        expected.push_back(static_cast<double>(walks) * std::sqrt(scene.area(i)) / all);
+    const Allotment rounded(expected, offset);
     std::vector<Shot> shots;
-    double wanted = offset;
-    SystematicRounding rounding(offset);
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double expected = static_cast<double>(walks) * std::sqrt(scene.area(i)) / all;
-        wanted += expected;
-        const std::uint64_t number = rounding.up_to(wanted);
-        const double share = 1.0 / (expected < 1.0 ? expected : static_cast<double>(number));
-        if (number > 0)
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (const std::uint64_t number = rounded.rays_of(i); number > 0) {
+            const double share = 1.0 / (expected[i] < 1.0 ? expected[i] : static_cast<double>(number));
             shots.push_back({i, number, {share, share, share}});
-    }
+        }
     return shots;
 }
 
@@ -68,14 +67,6 @@ std::vector<Shot> plan_first_round(const Scene& scene, const LocalOptions& optio
 Particles walks_of_round(const Scene& scene, const std::vector<Shot>& shots, std::uint64_t seed, std::uint64_t round)
 {
     return {scene, shots, mix_bits(mix_bits(seed) + round)};
-}
-
-std::uint64_t count_walks(const std::vector<Shot>& shots)
-{
-    std::uint64_t walks = 0;
-    for (const Shot& shot : shots)
-        walks += shot.rays;
-    return walks;
 }
 
 /// Sums over the walks of each patch.
@@ -199,7 +190,7 @@ GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, co
                                 const RunControl& run, PowerState& state)
 {
     const std::uint64_t rounds = count_rounds(scene, options.lines);
-    const std::uint64_t walks_per_round = count_walks(plan_first_round(scene, options, run.threads));
+    const std::uint64_t walks_per_round = rays_of(plan_first_round(scene, options, run.threads)).rays();
     Gathered gathered(scene);
     std::uint64_t round = 0;
     std::uint64_t first_walk = 0; // of the current round

@@ -12,43 +12,24 @@ namespace multipath {
 
 namespace {
 
-/// Receivers of some rays over the hemisphere of each patch.
-class HemisphereRays
+/// The receivers of some rays over the hemisphere of each patch, patch by patch.
+std::vector<std::uint32_t> hemisphere_receivers(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                                std::uint32_t rays_per_patch, int threads)
 {
-public:
-    HemisphereRays(const Scene& scene, const Sequence& sequence, std::uint64_t first_item, std::uint32_t rays_per_patch,
-                   int threads)
-        : rays_(rays_per_patch), receivers_(std::size_t{rays_per_patch} * scene.patch_count())
-    {
-        constexpr std::uint32_t patches_at_a_time = 64;
-        parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-            RayBlock block;
-            block.items.resize(std::size_t{rays_} * (end - first));
-            sequence.generate(first_item + std::uint64_t{rays_} * first, block.items);
-            for (std::uint32_t i = first; i < end; ++i)
-                block.patches.insert(block.patches.end(), rays_, i);
-            block.trace(scene);
-            std::copy(block.receivers.begin(), block.receivers.end(),
-                      receivers_.begin() + static_cast<std::ptrdiff_t>(std::size_t{rays_} * first));
-        });
-    }
-
-    /// Mean of value(receiver) over the rays of a patch. Rays that meet no patch count as 0.
-    template <class Value>
-    double mean_of(std::uint32_t patch, const Value& value) const
-    {
-        const std::uint32_t* const first = receivers_.data() + std::size_t{rays_} * patch;
-        double sum = 0.0;
-        for (std::uint32_t k = 0; k < rays_; ++k)
-            if (Segment::is_patch(first[k]))
-                sum += value(first[k]);
-        return sum / rays_;
-    }
-
-private:
-    std::uint32_t rays_;
-    std::vector<std::uint32_t> receivers_;
-};
+    std::vector<std::uint32_t> receivers(std::size_t{rays_per_patch} * scene.patch_count());
+    constexpr std::uint32_t patches_at_a_time = 64;
+    parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
+        const std::size_t first_ray = std::size_t{rays_per_patch} * first;
+        RayBlock block;
+        block.items.resize(std::size_t{rays_per_patch} * (end - first));
+        sequence.generate(first_item + first_ray, block.items);
+        for (std::uint32_t i = first; i < end; ++i)
+            block.patches.insert(block.patches.end(), rays_per_patch, i);
+        block.trace(scene);
+        std::copy(block.receivers.begin(), block.receivers.end(), receivers.data() + first_ray);
+    });
+    return receivers;
+}
 
 } // namespace
 
@@ -82,14 +63,20 @@ std::vector<double> Importance::influence(const Scene& scene, const MeanOverRays
 std::vector<double> Importance::noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                               std::uint32_t rays_per_patch, int threads) const
 {
-    const HemisphereRays rays(scene, sequence, first_item, rays_per_patch, threads);
-    const std::uint32_t n = scene.patch_count();
+    const std::vector<std::uint32_t> receivers =
+        hemisphere_receivers(scene, sequence, first_item, rays_per_patch, threads);
+    const auto mean_over_rays = [&](std::uint32_t patch, const Value& value) {
+        double sum = 0.0;
+        for (std::uint32_t k = 0; k < rays_per_patch; ++k)
+            if (const std::uint32_t end = receivers[std::size_t{rays_per_patch} * patch + k]; Segment::is_patch(end))
+                sum += value(end);
+        return sum / rays_per_patch;
+    };
     const double area = weighted_area(scene);
-    const std::vector<double> influence_of = influence(
-        scene, [&](std::uint32_t i, const Value& value) { return rays.mean_of(i, value); }, threads);
-    std::vector<double> result(n);
-    parallel_numbers(n, threads, [&](std::uint32_t i) {
-        result[i] = std::sqrt(rays.mean_of(i, [&](std::uint32_t j) {
+    const std::vector<double> influence_of = influence(scene, mean_over_rays, threads);
+    std::vector<double> result(scene.patch_count());
+    parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
+        result[i] = std::sqrt(mean_over_rays(i, [&](std::uint32_t j) {
             const double direct = mean(scene.reflectance(j)) * std::sqrt(weight[j]);
             const double reflected = mean(scene.reflectance(j)) * influence_of[j];
             return direct * direct / scene.area(j) + reflected * reflected / area; // (I1)

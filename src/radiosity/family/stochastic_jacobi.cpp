@@ -166,7 +166,7 @@ public:
         for (const double share : shares) {
             expected_.push_back(rays * share);
             offset_.push_back(before - std::floor(before));
-            first_item_.push_back(SystematicRounding::whole(before));
+            first_item_.push_back(whole_part(before));
             before += expected_.back();
         }
     }
@@ -177,7 +177,7 @@ public:
     /// Number of a patch's rays in the first fraction `part` of all iterations, by systematic sampling in time.
     std::uint64_t rays_before(std::uint32_t patch, double part) const
     {
-        return SystematicRounding::whole(offset_[patch] + part * expected_[patch]);
+        return whole_part(offset_[patch] + part * expected_[patch]);
     }
 
 private:
@@ -199,7 +199,7 @@ class SentRays
 {
 public:
     SentRays(const Scene& scene, const RayPlan& plan, const std::vector<Rgb>& power, double part, double end_part)
-        : first_item_(power.size()), first_ray_(power.size() + 1), senders_(power.size())
+        : first_item_(power.size()), senders_(power.size())
     {
         for (std::uint32_t i = 0; i < power.size(); ++i) {
             const std::uint64_t before = plan.rays_before(i, part);
@@ -207,22 +207,18 @@ public:
             // A patch with less than one ray on the average weights it by the expected number.
             const double expected = (end_part - part) * plan.expected(i);
             first_item_[i] = plan.first_item(i) + before;
-            first_ray_[i + 1] = first_ray_[i] + rays;
+            rays_.append(rays);
             senders_[i] = {(1.0 / scene.area(i)) * power[i],
                            (expected < 1.0 ? expected : static_cast<double>(rays)) / scene.area(i),
                            expected < 1.0 && end_part - part < 1.0};
         }
     }
 
-    std::uint64_t count() const { return first_ray_.back(); }
+    std::uint64_t count() const { return rays_.rays(); }
     const Sender& sender(std::uint32_t patch) const { return senders_[patch]; }
 
     /// Item of a ray, counted from the first item of the iterations.
-    std::uint64_t item(std::uint64_t ray) const
-    {
-        const std::uint32_t patch = patch_of(ray);
-        return first_item_[patch] + (ray - first_ray_[patch]);
-    }
+    std::uint64_t item(std::uint64_t ray) const { return item(rays_.recipient_of(ray), ray); }
 
     /// Puts the rays first ... first + count - 1 into the block. `of_patch` is a reusable buffer.
     void fill(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
@@ -230,25 +226,22 @@ public:
     {
         block.patches.clear();
         block.items.clear();
-        std::uint32_t patch = patch_of(first);
-        for (std::uint64_t ray = first; ray < first + count; ray = first_ray_[++patch]) {
-            const auto left = static_cast<std::size_t>(first + count - ray);
-            of_patch.resize(std::min(left, static_cast<std::size_t>(first_ray_[patch + 1] - ray)));
-            sequence.generate(first_item + first_item_[patch] + (ray - first_ray_[patch]), of_patch);
-            block.patches.insert(block.patches.end(), of_patch.size(), patch);
+        rays_.for_range(first, count, [&](std::uint32_t patch, std::uint64_t ray, std::size_t number) {
+            of_patch.resize(number);
+            sequence.generate(first_item + item(patch, ray), of_patch);
+            block.patches.insert(block.patches.end(), number, patch);
             block.items.insert(block.items.end(), of_patch.begin(), of_patch.end());
-        }
+        });
     }
 
 private:
-    std::uint32_t patch_of(std::uint64_t ray) const
+    std::uint64_t item(std::uint32_t patch, std::uint64_t ray) const
     {
-        const auto after = std::upper_bound(first_ray_.begin(), first_ray_.end(), ray);
-        return static_cast<std::uint32_t>(after - first_ray_.begin()) - 1;
+        return first_item_[patch] + (ray - rays_.first_ray(patch));
     }
 
     std::vector<std::uint64_t> first_item_; ///< of each patch, in this iteration
-    std::vector<std::uint64_t> first_ray_;  ///< of each patch, and the total number
+    Allotment rays_;
     std::vector<Sender> senders_;
 };
 
@@ -260,20 +253,17 @@ private:
 IterationRay carried_by(const SentRays& rays, std::uint32_t from, std::uint32_t to, bool bidirectional)
 {
     const Sender& sender = rays.sender(from);
+    IterationRay ray{0, from, to, sender.density, 0.0, (1.0 / sender.density) * sender.radiosity, {}}; // (J1)
     if (!bidirectional || !Segment::is_patch(to))
-        return {0, from, to, sender.density, 0.0, (1.0 / sender.density) * sender.radiosity, {}}; // (J1)
+        return ray;
     const Sender& other = rays.sender(to);
-    const double other_density = other.is_rare ? 0.0 : other.density;             // of rays that carry back
-    const Rgb sent = (1.0 / (sender.density + other_density)) * sender.radiosity; // (J2)
-    if (sender.is_rare)
-        return {0, from, to, sender.density, 0.0, sent, {}};
-    return {0,
-            from,
-            to,
-            sender.density,
-            other.density,
-            sent,
-            (1.0 / (sender.density + other.density)) * other.radiosity}; // (J2)
+    const double other_density = other.is_rare ? 0.0 : other.density;       // of rays that carry back
+    ray.sent = (1.0 / (sender.density + other_density)) * sender.radiosity; // (J2)
+    if (!sender.is_rare) {
+        ray.to_density = other.density;
+        ray.returned = (1.0 / (sender.density + other.density)) * other.radiosity; // (J2)
+    }
+    return ray;
 }
 
 /// Adds the power that the rays of a block carry.

@@ -95,23 +95,19 @@ struct BundleBlock
         directions.clear();
         for (const Item& item : items) {
             const Bundle bundle(scene.bounds(), item, lines_per_direction);
-            for (std::uint64_t first = 0; first < bundle.count(); first += lines_together)
-                append(scene, bundle, first, std::min(bundle.count(), first + lines_together));
+            for (std::uint64_t first = 0; first < bundle.count(); first += lines_together) {
+                lines_.clear();
+                for (std::uint64_t k = first; k < std::min(bundle.count(), first + lines_together); ++k)
+                    lines_.push_back(bundle.line(k));
+                scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
+                for (std::size_t k = 0; k < lines_.size(); ++k)
+                    append_segments(scene, hits_[k], segments);
+            }
             directions.push_back({bundle.section(), segments.size()});
         }
     }
 
 private:
-    void append(const Scene& scene, const Bundle& bundle, std::uint64_t first, std::uint64_t end)
-    {
-        lines_.clear();
-        for (std::uint64_t k = first; k < end; ++k)
-            lines_.push_back(bundle.line(k));
-        scene.intersector().all_hits(lines_.data(), lines_.size(), hits_);
-        for (std::size_t k = 0; k < lines_.size(); ++k)
-            append_segments(scene, hits_[k], segments);
-    }
-
     std::vector<Line> lines_;
     HitLists hits_;
 };
@@ -192,8 +188,7 @@ std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, c
     std::uint64_t rays = 0; // of the first estimate
     const Checkpoint::Part first(run.checkpoint, "first estimate", [&](Archive& archive) {
         archive.value<std::uint64_t>("rays", rays);
-        const Archive::Inner inner(archive, "start");
-        start.visit(archive);
+        archive.object("start", start);
     });
     if (rays == 0) {
         rays = estimate_by_rays(scene, sequence, options, run, state);

@@ -5,14 +5,15 @@
 
 #include "radiosity/paper/direct_light.h"
 
-#include "geometry/intersector/hit_lists.h"
 #include "parallel/blocks.h"
 #include "radiosity/paper/first_shot.h"
+#include "sampling/discrete_distribution.h"
 #include "sampling/halton.h"
 #include "sampling/random.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
+#include "transport/lines/shadow_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,31 +22,6 @@
 namespace multipath {
 
 namespace {
-
-/// Distribution of the source patches by power.
-struct Sources
-{
-    std::vector<std::uint32_t> patches;
-    std::vector<double> power_before; ///< [W] cumulative sums, starting with 0
-
-    explicit Sources(const Scene& scene) : power_before{0.0}
-    {
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-            const double power = scene.area(i) * mean(scene.first_light(i));
-            if (power > 0.0) {
-                patches.push_back(i);
-                power_before.push_back(power_before.back() + power);
-            }
-        }
-    }
-    /// The patch for x in [0, 1).
-    std::uint32_t at(double x) const
-    {
-        const auto above = std::upper_bound(power_before.begin(), power_before.end(), x * power_before.back());
-        const auto index = static_cast<std::size_t>(above - power_before.begin()) - 1;
-        return patches[std::min(index, patches.size() - 1)];
-    }
-};
 
 /// The point of the patch for (a, b) in the unit square. Unlike square_to_uniform_surface, it folds the square along
 /// its diagonal onto a triangle, so that the grid of snapped_to_grid() stays regular from border to border.
@@ -75,14 +51,16 @@ struct Probe
 
 std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
 {
-    const Sources sources(scene);
+    DiscreteDistribution sources; // the patches by the power that they send
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        sources.add(scene.area(i) * mean(scene.first_light(i)));
     std::vector<Probe> probes;
     for (std::uint64_t k = 1; k <= count; ++k) {
         const auto coordinate = [&](std::uint64_t base) {
             const double x = radical_inverse(base, k);
             return k % 2 == 0 ? x : snapped_to_grid(x);
         };
-        const Patch source = scene.patch(sources.at(radical_inverse(13, k)));
+        const Patch source = scene.patch(static_cast<std::uint32_t>(sources.at(radical_inverse(13, k))));
         probes.push_back({point_on(source.shape, coordinate(5), coordinate(7)), source.shape.normal(), source.surface,
                           coordinate(2), coordinate(3)});
     }
@@ -168,27 +146,17 @@ private:
 
     void cast_probes(std::size_t first, std::size_t end)
     {
-        surfaces_.clear();
-        targets_.clear();
-        rays_.clear();
-        tested_.clear();
         for (const std::size_t k : unlit_)
             for (std::size_t t = first; t < end; ++t) {
                 const Probe& probe = probes_[t];
                 const Target& patch = patches_[k];
                 const Line ray = {probe.from, point_on(patch.shape, probe.a, probe.b) - probe.from};
-                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0) {
-                    surfaces_.push_back(probe.source_surface);
-                    targets_.push_back(scene_.surface_of(patch.number));
-                    rays_.push_back(ray);
-                    tested_.push_back(k);
-                }
+                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0)
+                    rays_.add(probe.source_surface, scene_.surface_of(patch.number), ray, k);
             }
-        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
-        for (std::size_t r = 0; r < rays_.size(); ++r) {
-            Target& patch = patches_[tested_[r]];
-            patch.lit = patch.lit || (hits_.is_hit(r) && receiving_patch(scene_, hits_[r]) == patch.number);
-        }
+        rays_.trace(scene_, [&](std::size_t k, const Hit& hit) {
+            patches_[k].lit = patches_[k].lit || receiving_patch(scene_, hit) == patches_[k].number;
+        });
         const auto is_lit = [this](std::size_t k) { return patches_[k].lit; };
         unlit_.erase(std::remove_if(unlit_.begin(), unlit_.end(), is_lit), unlit_.end());
     }
@@ -197,11 +165,7 @@ private:
     const std::vector<Probe>& probes_;
     std::vector<Target> patches_;
     std::vector<std::size_t> unlit_; ///< indices of the patches not known to be lit
-    std::vector<std::uint32_t> surfaces_;
-    std::vector<std::uint32_t> targets_; ///< surfaces
-    std::vector<Line> rays_;
-    std::vector<std::size_t> tested_; ///< index of the patch that each ray tests
-    FirstHits hits_;
+    ShadowRays<std::size_t> rays_;   ///< with the index of the patch that each ray tests
 };
 
 /// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many. `share` scales the

@@ -54,9 +54,9 @@ void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t fi
         const std::uint64_t first_ray_item = first_item + lines_of(passes);
         if (observe)
             observe(first_ray_item, shots, next);
-        shoot(scene, sequence, first_ray_item, shots, run, next); // (S1)
+        const std::uint64_t rays = shoot(scene, sequence, first_ray_item, shots, run, next); // (S1)
         state = std::move(next);
-        passes.push_back({ray_count(shots), excess, power_balance(scene, state)});
+        passes.push_back({rays, excess, power_balance(scene, state)});
     }
 }
 

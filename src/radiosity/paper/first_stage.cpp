@@ -13,7 +13,8 @@ constexpr std::uint64_t rays_for_ratio = 1u
 
 FirstShot first_shot_of(const SolveOptions& options)
 {
-    return options.method->first_shot ? options.method->first_shot(options) : FirstShot::none;
+    const bool gathers = options.method == Method::reuse && options.direct == Direct::gather;
+    return gathers ? FirstShot::none : options.method->first_shot;
 }
 
 } // namespace
@@ -35,15 +36,6 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     return optimal_ratio(figures).value_or(1.0); // (3)
 }
 
-ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& options)
-{
-    ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
-    shot.most_steps = options.most_steps;
-    shot.seed = options.seed;
-    return shot;
-}
-
 std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   const SolveOptions& options, const RunControl& run, PowerState& state,
                                   const PassObserver& observe)
@@ -51,16 +43,17 @@ std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, 
     const FirstShot kind = first_shot_of(options);
     if (kind == FirstShot::none)
         return {};
-    ExtendedShotOptions shot = extended_shot(scene, options);
-    if (kind == FirstShot::plain)
-        shot.most_steps = 1; // the first pass is the first shot
+    ExtendedShotOptions shot;
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
+    shot.most_steps = kind == FirstShot::plain ? 1 : options.most_steps;     // the first pass is the first shot
+    shot.seed = options.seed;
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&
         power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
         throw SettingsError(
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
-        shot.lines = split_lines(options.lines, ratio_for(scene, options)).local_lines;
+        shot.lines = local_line_count(options.lines, ratio_for(scene, options));
     return shoot_extended(scene, sequence, first_item, shot, run, state, observe); // (S1) (S2)
 }
 

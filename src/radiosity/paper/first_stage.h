@@ -12,9 +12,6 @@ namespace multipath {
 /// optimum for the scene (optimal_ratio), or 1 where there is no optimum.
 double ratio_for(const Scene& scene, const SolveOptions& options);
 
-/// Options of the extended first shot of this run. The caller must still set either `lines` or `power_by_line`.
-ExtendedShotOptions extended_shot(const Scene& scene, const SolveOptions& options);
-
 /// The stage before the global lines: the first shot, or the extended first shot, as the method demands. The rays take
 /// the items of the sequence from first_item on. Returns the passes, none for a method without a first shot. Throws
 /// SettingsError if the first pass alone needs more rays of power_by_line than the run has lines.

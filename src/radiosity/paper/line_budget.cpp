@@ -48,10 +48,9 @@ double threshold_radiosity(const Scene& scene)
     return r_ave * mean(scene.source_power()) / (scene.total_area() * (1.0 - r_ave)); // (4)
 }
 
-LineBudget split_lines(std::uint64_t lines, double ratio)
+std::uint64_t local_line_count(std::uint64_t lines, double ratio)
 {
-    const auto local = static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * ratio / (1.0 + ratio)));
-    return {local, lines - local};
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(lines) * ratio / (1.0 + ratio)));
 }
 
 } // namespace multipath

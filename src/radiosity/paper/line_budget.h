@@ -38,14 +38,8 @@ double intersections_of_hull_line(const Scene& scene);
 /// is shot.
 double threshold_radiosity(const Scene& scene);
 
-/// Numbers of local and of global lines.
-struct LineBudget
-{
-    std::uint64_t local_lines = 0;  ///< N_l
-    std::uint64_t global_lines = 0; ///< N_g, lines that meet the scene's bounding box (N1)
-};
-
-/// Splits `lines` into N_l + N_g with N_l / N_g = ratio >= 0, rounded to whole lines.
-LineBudget split_lines(std::uint64_t lines, double ratio);
+/// N_l, the number of local lines if `lines` = N_l + N_g lines have the ratio N_l / N_g = ratio >= 0, rounded to a
+/// whole number. N_g counts lines that meet the scene's bounding box (N1).
+std::uint64_t local_line_count(std::uint64_t lines, double ratio);
 
 } // namespace multipath

@@ -16,16 +16,11 @@
 namespace multipath {
 
 Particles::Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed)
-    : scene_(scene), shots_(std::move(shots)), key_(random_key(RandomStream::particles, seed))
+    : scene_(scene),
+      shots_(std::move(shots)),
+      particles_(rays_of(shots_)),
+      key_(random_key(RandomStream::particles, seed))
 {
-    for (const Shot& shot : shots_)
-        first_particle_.push_back(first_particle_.back() + shot.rays);
-}
-
-const Shot& Particles::shot_of(std::uint64_t particle) const
-{
-    const auto above = std::upper_bound(first_particle_.begin(), first_particle_.end(), particle);
-    return shots_[static_cast<std::size_t>(above - first_particle_.begin()) - 1];
 }
 
 namespace {
@@ -74,15 +69,14 @@ void Particles::follow(std::uint64_t first, const std::vector<Item>& items, Part
     paths.particle_.clear();
     paths.first_step_.assign(items.size() + 1, 0);
     paths.survivors_.resize(items.size());
-    paths.power_.resize(items.size());
-    rays.patches.resize(items.size());
+    std::iota(paths.survivors_.begin(), paths.survivors_.end(), std::uint32_t{0});
+    paths.power_.clear();
+    rays.patches.clear();
     rays.items = items;
-    for (std::uint32_t k = 0; k < items.size(); ++k) {
-        const Shot& shot = shot_of(first + k);
-        paths.survivors_[k] = k;
-        paths.power_[k] = shot.power_per_ray;
-        rays.patches[k] = shot.patch;
-    }
+    particles_.for_range(first, items.size(), [&](std::uint32_t shot, std::uint64_t, std::size_t count) {
+        paths.power_.insert(paths.power_.end(), count, shots_[shot].power_per_ray);
+        rays.patches.insert(rays.patches.end(), count, shots_[shot].patch);
+    });
     for (std::uint32_t depth = 0; !paths.survivors_.empty(); ++depth) {
         rays.trace(scene_);
         std::size_t left = 0;
@@ -178,93 +172,55 @@ void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, 
     state.surplus += absorbed - (step.power - step.goes_on);
 }
 
-/// Two-level sums, since adding equal powers to a large sum 10^8 times would drift.
-class PartialSums
-{
-public:
-    explicit PartialSums(PowerState empty) : empty_(std::move(empty)), recent_(empty_) {}
-
-    void deposit_all(const Scene& scene, const std::vector<ParticleStep>& steps, Estimator estimator, PowerState& total)
-    {
-        for (const ParticleStep& step : steps)
-            deposit(scene, step, estimator, recent_);
-        count_ += steps.size();
-        if (count_ > 4 * recent_.incident.size() + 65536) // rarely enough to cost nothing
-            flush(total);
-    }
-    void visit(Archive& archive) ///< for a checkpoint
-    {
-        recent_.visit(archive);
-        archive.value<std::uint64_t>("deposits", count_);
-    }
-    void flush(PowerState& total)
-    {
-        for (std::size_t i = 0; i < recent_.incident.size(); ++i)
-            total.incident[i] += recent_.incident[i];
-        total.escaped += recent_.escaped;
-        total.behind += recent_.behind;
-        total.surplus += recent_.surplus;
-        recent_ = empty_;
-        count_ = 0;
-    }
-
-private:
-    PowerState empty_;
-    PowerState recent_;
-    std::uint64_t count_ = 0;
-};
-
 /// The particles, whose power is added to the state where they arrive.
-class ParticleStage
+struct ParticleStage
 {
-public:
     using Block = ParticleBlock;
 
-    ParticleStage(const Scene& scene, const Sequence& sequence, const LocalOptions& options, const Particles& particles,
-                  PowerState& state)
-        : scene_(scene),
-          sequence_(sequence),
-          options_(options),
-          particles_(particles),
-          state_(state),
-          sums_(PowerState::empty(scene))
-    {
-    }
-
-    Blocks lines() const { return {particles_.count(), particles_together(scene_)}; }
+    Blocks lines() const { return {particles.count(), particles_together(scene)}; }
     void trace(std::uint64_t number, ParticleBlock& block) const
     {
-        block.follow(particles_, sequence_, options_.first_item, lines(), number);
+        block.follow(particles, sequence, options.first_item, lines(), number);
     }
     std::uint64_t take(std::uint64_t, const ParticleBlock& block)
     {
-        sums_.deposit_all(scene_, block.paths.steps, options_.estimator, state_);
-        segments_ += block.paths.steps.size();
-        return block.paths.steps.size();
+        for (const ParticleStep& step : block.paths.steps)
+            deposit(scene, step, options.estimator, recent);
+        const std::uint64_t steps = block.paths.steps.size();
+        segments += steps;
+        deposits += steps;
+        if (deposits > 4 * recent.incident.size() + 65536) // rarely enough to cost nothing
+            flush();
+        return steps;
     }
     void visit(Archive& archive)
     {
-        archive.value<std::uint64_t>("segments", segments_);
-        sums_.visit(archive);
-        const Archive::Inner inner(archive, "state");
-        state_.visit(archive);
+        archive.value<std::uint64_t>("segments", segments);
+        recent.visit(archive);
+        archive.value<std::uint64_t>("deposits", deposits);
+        archive.object("state", state);
     }
 
-    /// Completes the sums; returns the number of segments.
-    std::uint64_t finish()
+    /// Completes the sums.
+    void flush()
     {
-        sums_.flush(state_);
-        return segments_;
+        for (std::size_t i = 0; i < recent.incident.size(); ++i)
+            state.incident[i] += recent.incident[i];
+        state.escaped += recent.escaped;
+        state.behind += recent.behind;
+        state.surplus += recent.surplus;
+        recent = PowerState::empty(scene);
+        deposits = 0;
     }
 
-private:
-    const Scene& scene_;
-    const Sequence& sequence_;
-    const LocalOptions& options_;
-    const Particles& particles_;
-    PowerState& state_;
-    PartialSums sums_;
-    std::uint64_t segments_ = 0;
+    const Scene& scene;
+    const Sequence& sequence;
+    const LocalOptions& options;
+    const Particles particles;
+    PowerState& state;
+    PowerState recent = PowerState::empty(scene); ///< not yet in `state`: sums of 10^8 equal powers would drift
+    std::uint64_t deposits = 0;                   ///< number of powers in `recent`
+    std::uint64_t segments = 0;
 };
 
 } // namespace
@@ -272,15 +228,15 @@ private:
 std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
                              const RunControl& run, PowerState& state)
 {
-    const Particles particles = plan_particles(scene, state, options.lines, options.seed, run.threads);
     PowerState next = state; // so that a run that is resumed plans the same particles again
-    spend(scene, 0.0, particles.shots(), next);
-    ParticleStage stage(scene, sequence, options, particles, next);
+    ParticleStage stage{scene, sequence, options,
+                        plan_particles(scene, state, options.lines, options.seed, run.threads), next};
+    spend(scene, 0.0, stage.particles.shots(), next);
     const std::uint64_t sent = run_stage("particles", stage, run); // (L1)
-    const std::uint64_t segments = stage.finish();
-    keep_unsent(particles.shots(), sent, next);
+    stage.flush();
+    keep_unsent(stage.particles.shots(), sent, next);
     state = std::move(next);
-    return segments;
+    return stage.segments;
 }
 
 } // namespace multipath

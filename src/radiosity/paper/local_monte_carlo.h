@@ -57,7 +57,7 @@ public:
     /// `seed`: of the random numbers after the first segments. The scene must outlive this object.
     Particles(const Scene& scene, std::vector<Shot> shots, std::uint64_t seed);
 
-    std::uint64_t count() const { return first_particle_.back(); }
+    std::uint64_t count() const { return particles_.rays(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
     /// Follows the particles first, first + 1, ..., one for each item, and replaces the contents of `paths` by their
@@ -69,12 +69,11 @@ private:
     ParticleStep step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
                       std::uint32_t where, Rgb power) const;
     Item next_item(std::uint64_t particle, std::uint32_t depth) const;
-    const Shot& shot_of(std::uint64_t particle) const;
 
     const Scene& scene_;
     std::vector<Shot> shots_;
-    std::vector<std::uint64_t> first_particle_ = {0}; ///< per shot; one more entry holds the number of all particles
-    std::uint64_t key_;                               ///< key of the random numbers
+    Allotment particles_; ///< of each shot
+    std::uint64_t key_;   ///< key of the random numbers
 };
 
 /// Consecutive particles that are followed together, with reusable buffers.

@@ -15,8 +15,8 @@ double PowerBalance::relative_error() const
         const double scale = std::max(std::abs(sent), nominal);
         return scale == 0.0 ? std::abs(arrived) : std::abs(sent - arrived) / scale;
     };
-    return std::max({channel(emitted.r, found.r, source.r), channel(emitted.g, found.g, source.g),
-                     channel(emitted.b, found.b, source.b)});
+    const Rgb error = by_channel(channel, emitted, found, source);
+    return std::max({error.r, error.g, error.b});
 }
 
 PowerState::PowerState(const Scene& scene)
@@ -55,11 +55,11 @@ void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerStat
     const Rgb found = absorbed + escaped + behind;
     const auto share = [](double source, double sum) { return sum > 0.0 ? source / sum : 0.0; };
     const auto rest = [](double source, double sum) { return sum > 0.0 ? 0.0 : source; };
-    const Rgb factor = {share(sources.r, found.r), share(sources.g, found.g), share(sources.b, found.b)};
+    const Rgb factor = by_channel(share, sources, found);
     state.surplus += absorbed - factor * absorbed;
     state.escaped += factor * escaped;
     state.behind += factor * behind;
-    state.unshot.front() += {rest(sources.r, found.r), rest(sources.g, found.g), rest(sources.b, found.b)};
+    state.unshot.front() += by_channel(rest, sources, found);
 }
 
 void add(const PowerBalance& part, double share, PowerBalance& sum)

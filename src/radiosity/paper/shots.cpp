@@ -1,6 +1,5 @@
 #include "radiosity/paper/shots.h"
 
-#include "sampling/allotment.h"
 #include "sampling/random.h"
 
 #include <algorithm>
@@ -61,24 +60,22 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
     std::vector<Shot> shots;
     Rgb excess;                  // [W]
     double wanted = rule.offset; // cumulative number of rays, not rounded
-    SystematicRounding rounding(rule.offset);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double share = share_above(scene, state, rule.threshold, i);
         if (share == 0.0)
             continue;
         excess += share * state.unshot[i];
         const double deserved = share * mean(state.unshot[i]) / rule.power_by_line;
+        const std::uint64_t before = whole_part(wanted);
         wanted += deserved;
-        const std::uint64_t rays = rounding.up_to(wanted);
-        if (rays > 0) {
+        if (const std::uint64_t rays = whole_part(wanted) - before; rays > 0) {
             // A patch that deserves 0.3 rays gets one in three of ten cases, with the power of a whole ray.
             const double rays_expected = deserved < 1.0 ? deserved : static_cast<double>(rays);
             shots.push_back({i, rays, (share / rays_expected) * state.unshot[i]});
         }
     }
     const Rgb sent = power_of(shots);
-    const Rgb correction = {correction_of(excess.r, sent.r), correction_of(excess.g, sent.g),
-                            correction_of(excess.b, sent.b)};
+    const Rgb correction = by_channel(correction_of, excess, sent);
     for (Shot& shot : shots)
         shot.power_per_ray = correction * shot.power_per_ray;
     return shots;
@@ -119,7 +116,7 @@ void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots,
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         all += share_above(scene, state, threshold, i) * state.unshot[i];
     const Rgb sent = power_of(shots);
-    const Rgb share = {sent_share(all.r, sent.r), sent_share(all.g, sent.g), sent_share(all.b, sent.b)};
+    const Rgb share = by_channel(sent_share, all, sent);
     Rgb spent;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Rgb excess = share * (share_above(scene, state, threshold, i) * state.unshot[i]);
@@ -129,11 +126,11 @@ void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots,
     state.emitted += sent - spent; // rounding errors of the sums
 }
 
-std::uint64_t ray_count(const std::vector<Shot>& shots)
+Allotment rays_of(const std::vector<Shot>& shots)
 {
-    std::uint64_t rays = 0;
+    Allotment rays;
     for (const Shot& shot : shots)
-        rays += shot.rays;
+        rays.append(shot.rays);
     return rays;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "radiosity/paper/power_state.h"
+#include "sampling/allotment.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct ShotRule
 {
     double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (threshold_radiosity)
     double power_by_line = 0.0; ///< [W] wanted power of one ray, mean of the channels: `PowerByLine` of the paper
-    /// Start of the SystematicRounding to whole rays, in [0, 1): first_offset() or random_offset().
+    /// Start of the systematic rounding to whole rays (whole_part), in [0, 1): first_offset() or random_offset().
     double offset = 0.5;
 };
 
@@ -53,8 +54,8 @@ std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, d
 /// created or lost.
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
 
-/// Total number of rays of all shots.
-std::uint64_t ray_count(const std::vector<Shot>& shots);
+/// The rays of all shots, in order; the shots are the recipients.
+Allotment rays_of(const std::vector<Shot>& shots);
 
 /// Adds the power of all rays but the first `rays_sent` back to the unshot power of their shooters.
 void keep_unsent(const std::vector<Shot>& shots, std::uint64_t rays_sent, PowerState& state);

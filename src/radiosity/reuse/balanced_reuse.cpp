@@ -25,7 +25,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -59,44 +58,38 @@ double bytes_without_counts(const Scene& scene, double rays)
            bytes_of_buffers * std::min(rays, 1e6);
 }
 
-/// Values per patch for the shadow rays and for the rays over the hemisphere.
-struct PatchValues
+// Receivers of rays: each patch twice, with its shadow rays and with its rays over the hemisphere.
+std::size_t to_lights(std::uint32_t patch)
 {
-    std::vector<double> light;
-    std::vector<double> hemisphere;
+    return 2 * std::size_t{patch};
+}
+std::size_t over_hemisphere(std::uint32_t patch)
+{
+    return 2 * std::size_t{patch} + 1;
+}
 
-    explicit PatchValues(std::uint32_t patches) : light(large_vector<double>(patches)), hemisphere(light) {}
-};
-
-/// Expected numbers of rays that add up to `budget`. Every patch gets `least`, and the rest goes by water-filling
+/// Expected numbers of rays that add up to `budget`. Every receiver gets `least`, and the rest goes by water-filling
 /// according to importance and the rays that it had before.
-PatchValues distribute_rays(double budget, const PatchValues& importance, const PatchValues& had,
-                            const PatchValues& least)
+std::vector<double> distribute_rays(double budget, const std::vector<double>& importance,
+                                    const std::vector<double>& had, const std::vector<double>& least)
 {
-    const std::size_t n = importance.light.size();
     WaterFilling fill;
     double given = 0.0;
-    const auto for_all = [&](const auto& take) {
-        for (std::size_t i = 0; i < n; ++i) {
-            take(importance.light[i], had.light[i], least.light[i], i, true);
-            take(importance.hemisphere[i], had.hemisphere[i], least.hemisphere[i], i, false);
-        }
-    };
-    for_all([&](double wants, double has, double gets, std::size_t, bool) {
-        given += gets;
-        if (wants > 0.0)
-            fill.add(wants, has + gets);
-    });
+    for (std::size_t k = 0; k < least.size(); ++k) {
+        given += least[k];
+        if (importance[k] > 0.0)
+            fill.add(importance[k], had[k] + least[k]);
+    }
     const double rest = std::max(0.0, budget - given);
     const double level = fill.level(rest);
-    PatchValues result = least;
+    const auto lacks = [&](std::size_t k) { return std::max(0.0, level * importance[k] - had[k] - least[k]); };
     double more = 0.0;
-    const auto lacks = [&](double wants, double has, double gets) { return std::max(0.0, level * wants - has - gets); };
-    for_all([&](double wants, double has, double gets, std::size_t, bool) { more += lacks(wants, has, gets); });
-    const double scale = more > 0.0 ? rest / more : 0.0; // corrects the level, which is exact to a few percent only
-    for_all([&](double wants, double has, double gets, std::size_t i, bool light) {
-        (light ? result.light : result.hemisphere)[i] += scale * lacks(wants, has, gets);
-    });
+    for (std::size_t k = 0; k < least.size(); ++k)
+        more += lacks(k);
+    const double scale = quotient(rest, more); // corrects the level, which is exact to a few percent only
+    std::vector<double> result = least;
+    for (std::size_t k = 0; k < least.size(); ++k)
+        result[k] += scale * lacks(k);
     return result;
 }
 
@@ -133,9 +126,8 @@ struct RayBatch
 
     explicit RayBatch(std::uint32_t patches) : allotment(patches) {}
 
-    void visit(Archive& archive, std::string_view name)
+    void visit(Archive& archive)
     {
-        const Archive::Inner inner(archive, std::string(name));
         archive.value<std::uint64_t>("first item", first_item);
         allotment.visit(archive);
         range.visit(archive);
@@ -153,21 +145,7 @@ public:
           memory_(memory),
           run_(run),
           state_(state),
-          n_(scene.patch_count()),
-          rho_(reflectances(scene)),
-          sky_(patches_of_sky(scene)),
-          patches_(lights.patches()),
-          ends_(ends_of_rounds(rays.rays, n_)),
-          next_item_(rays.first_item),
-          to_lights_(n_),
-          hemisphere_(n_),
-          expected_(large_vector<double>(n_)),
-          rays_of_counts_(large_vector<double>(n_)),
-          counts_(n_),
-          fresh_(n_),
-          source_(large_vector<Rgb>(n_)),
-          guess_(large_vector<Rgb>(n_)),
-          variance_(large_vector<Rgb>(n_))
+          patches_(lights.patches())
     {
         if (rays.direct)
             light_.emplace(scene, lights);
@@ -188,10 +166,15 @@ public:
             }
             end_of_round();
         }
-        return {next_item_ - rays_.first_item, true, std::move(variance_)};
+        return result(true);
     }
 
 private:
+    BalancedResult result(bool solved)
+    {
+        return {next_item_ - rays_.first_item, solved, solved ? std::move(variance_) : std::vector<Rgb>()};
+    }
+
     void visit(Archive& archive)
     {
         fresh_.merge(run_.threads);
@@ -199,24 +182,17 @@ private:
         archive.value<std::uint64_t>("part", part_);
         archive.value<std::uint64_t>("parts", parts_);
         archive.value<std::uint64_t>("next item", next_item_);
-        to_lights_.visit(archive, "to lights");
-        hemisphere_.visit(archive, "hemisphere");
+        archive.object("to lights", to_lights_);
+        archive.object("hemisphere", hemisphere_);
         archive.list<double>("expected", expected_);
         archive.list<double>("rays of counts", rays_of_counts_);
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
-        std::vector<ShadowRaySums> none;
         if (light_)
             light_->visit(archive);
-        else
-            archive.growing_list<double>("sights", none);
-        {
-            const Archive::Inner inner(archive, "counts");
-            counts_.visit(archive);
-        }
-        const Archive::Inner inner(archive, "fresh counts");
-        fresh_.visit(archive);
+        archive.object("counts", counts_);
+        archive.object("fresh counts", fresh_);
         if (round_ >= rounds || part_ >= parts_ || to_lights_.range.all != light_blocks() ||
             hemisphere_.range.all != ray_blocks(hemisphere_.allotment).count())
             throw ArchiveError("the state is damaged: no such rays");
@@ -239,39 +215,43 @@ private:
     /// Plans the rays of the next round, or of the next part of the last one.
     void plan()
     {
-        PatchValues expected(n_);
+        std::vector<double> shadow_rays = large_vector<double>(n_);
         if (part_ == 0) {
             const auto cast_before = static_cast<double>(next_item_ - rays_.first_item);
-            expected = expected_rays(std::max(0.0, static_cast<double>(ends_[round_]) - cast_before));
+            const std::vector<double> expected =
+                expected_rays(std::max(0.0, static_cast<double>(ends_[round_]) - cast_before));
+            for (std::uint32_t i = 0; i < n_; ++i) {
+                shadow_rays[i] = expected[to_lights(i)];
+                expected_[i] = expected[over_hemisphere(i)];
+            }
             if (is_last())
-                cut_into_parts(expected.hemisphere);
-            expected_ = expected.hemisphere;
+                cut_into_parts(expected_);
         }
-        expected.hemisphere = expected_;
-        for (double& rays : expected.hemisphere)
+        std::vector<double> of_part = expected_;
+        for (double& rays : of_part)
             rays /= static_cast<double>(parts_);
         const Shard shard =
             is_last() ? run_.shard : Shard{}; // early rounds are small: each shard does all of their work
         to_lights_.first_item = next_item_;
         const double offset = bits_to_unit(bits_from(sequence_.item(next_item_)));
-        to_lights_.allotment = Allotment(expected.light, offset);
+        to_lights_.allotment = Allotment(shadow_rays, offset);
         to_lights_.range = ShardRange::of(light_blocks(), shard);
         next_item_ += to_lights_.allotment.rays();
         hemisphere_.first_item = next_item_;
         constexpr double below_one =
             0x1.fffffffffffffp-1; // offsets that add up to 1 make the total number of rays as planned
-        hemisphere_.allotment = Allotment(expected.hemisphere, std::min(1.0 - offset, below_one));
+        hemisphere_.allotment = Allotment(of_part, std::min(1.0 - offset, below_one));
         hemisphere_.range = ShardRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
         next_item_ += hemisphere_.allotment.rays();
     }
 
-    /// Expected numbers of rays for the next round: importance rho s sqrt(A) by the rounds so far. The first round
-    /// knows no s, and gives at least one ray of each kind to every patch that can use it.
-    PatchValues expected_rays(double budget) const
+    /// Expected numbers of rays of all receivers for the next round: importance rho s sqrt(A) by the rounds so far. The
+    /// first round knows no s, and gives at least one ray of each kind to every patch that can use it.
+    std::vector<double> expected_rays(double budget) const
     {
-        PatchValues had(n_);
-        PatchValues least(n_);
-        PatchValues importance(n_);
+        std::vector<double> had = large_vector<double>(2 * std::size_t{n_});
+        std::vector<double> least = had;
+        std::vector<double> importance = had;
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.lamp_power());
@@ -286,19 +266,20 @@ private:
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for both of its ends, and denoising removes most of its noise.
             constexpr double left_of_variance = 0.35;
-            importance.hemisphere[i] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
-            importance.light[i] = sees_light ? worth * light[i] : 0.0;
-            had.hemisphere[i] = afresh ? 0.0 : rays_of_counts_[i];
-            had.light[i] = light_ ? light_->rays(i) : 0.0;
+            importance[over_hemisphere(i)] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
+            importance[to_lights(i)] = sees_light ? worth * light[i] : 0.0;
+            had[over_hemisphere(i)] = afresh ? 0.0 : rays_of_counts_[i];
+            had[to_lights(i)] = light_ ? light_->rays(i) : 0.0;
             if (rays_.indirect && (round_ == 0 || afresh))
-                least.hemisphere[i] = round_ == 0 ? 1.0 : 2.0;
+                least[over_hemisphere(i)] = round_ == 0 ? 1.0 : 2.0;
             if (sees_light && round_ == 0)
-                least.light[i] = 1.0;
+                least[to_lights(i)] = 1.0;
             constexpr double to_see_losses =
                 1.0 / 32.0; // fraction of the rays that leave the sources, to estimate losses
             if (light_)
-                least.hemisphere[i] = std::max(least.hemisphere[i], to_see_losses * budget * scene_.area(i) *
-                                                                        mean(scene_.emittance(i)) / source);
+                least[over_hemisphere(i)] =
+                    std::max(least[over_hemisphere(i)],
+                             to_see_losses * budget * scene_.area(i) * mean(scene_.emittance(i)) / source);
         });
         return distribute_rays(budget, importance, had, least);
     }
@@ -360,7 +341,7 @@ private:
             sums.value *= scale;
             sums.square *= scale;
         });
-        found = pooled_around(patches_, found, enough, run_.threads);
+        found = pooled(patches_, found, enough, OwnRays::left_out, run_.threads);
         std::vector<double> result = large_vector<double>(n_);
         double sum = 0.0;
         for (std::uint32_t i = 0; i < n_; ++i) {
@@ -374,15 +355,6 @@ private:
             std::max(least * sum / scene_.own_area(), unlit * mean(scene_.source_power()) / scene_.total_area());
         for (double& deviation : result)
             deviation = std::max(deviation, floor);
-        return result;
-    }
-
-    std::vector<SparseExchange::LossCounts> losses() const
-    {
-        auto result = vector_with_capacity<SparseExchange::LossCounts>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            result.push_back(
-                {rays_of_counts_[i], static_cast<double>(counts_.escaped(i)), static_cast<double>(counts_.behind(i))});
         return result;
     }
 
@@ -493,15 +465,12 @@ private:
     /// after the first part.
     BalancedResult stopped()
     {
-        BalancedResult result{next_item_ - rays_.first_item, false, {}};
         if (run_.is_shard() || round_ == 0 || part_ > 0)
-            return result;
+            return result(false);
         take_fresh_counts();
         parts_ = 1;
         solve_part();
-        result.solved = true;
-        result.variance = std::move(variance_);
-        return result;
+        return result(true);
     }
 
     /// Some Jacobi iterations with the counts as they are: accurate enough to distribute rays.
@@ -555,7 +524,7 @@ private:
         if (!rays_.indirect)
             return;
         const auto solved = [&](double unseen_rays) {
-            const SparseExchange exchange(counts_, scene_.areas(), densities(), losses(), sides_of_patches(), sky_,
+            const SparseExchange exchange(counts_, scene_.areas(), rays_of_counts_, sides_of_patches(), sky_,
                                           unseen_rays, run_.threads);
             ExchangeSolution solution = solve_exchange(exchange, rho_, source_, guess_, run_.threads);
             if (solution.converged) {
@@ -583,7 +552,7 @@ private:
         for (std::uint32_t i = 0; i < n_; ++i)
             source[i] = (1.0 / scene_.area(i)) * (rho_[i] * returns.incident[i]);
         const ExchangeSolution change =
-            solve_exchange(exchange, rho_, source, source, tolerance, most_steps, run_.threads);
+            solve_exchange(exchange, rho_, source, source, run_.threads, tolerance, most_steps);
         if (!change.converged)
             return;
         Rgb sum = returns.escaped + returns.behind;
@@ -628,12 +597,11 @@ private:
                 const double mean = s / weight;
                 return std::max(0.0, square - 2.0 * mean * c + mean * mean * squared_weight) / (weight * weight);
             };
-            variances[i] = {variance(sum.r, cross.r, squares.r), variance(sum.g, cross.g, squares.g),
-                            variance(sum.b, cross.b, squares.b)};
+            variances[i] = by_channel(variance, sum, cross, squares);
             const double count = weight * weight / squared_weight;
             rays[i] = {count, count, count * count * mean(variances[i]), 0.0};
         });
-        const std::vector<RaySums> around = pooled(patches_, rays, enough, run_.threads);
+        const std::vector<RaySums> around = pooled(patches_, rays, enough, OwnRays::counted, run_.threads);
         parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
             if (!(rays[i].rays > 0.0))
                 return;
@@ -715,26 +683,26 @@ private:
     const double memory_;
     const RunControl& run_;
     PowerState& state_;
-    const std::uint32_t n_; ///< patches
-    const Field rho_;
-    const std::vector<std::uint32_t> sky_; ///< patches of the sky
     const SurfaceTree& patches_;
-    const std::array<std::uint64_t, rounds> ends_;
+    const std::uint32_t n_ = scene_.patch_count();
+    const Field rho_ = reflectances(scene_);
+    const std::vector<std::uint32_t> sky_ = patches_of_sky(scene_); ///< patches of the sky
+    const std::array<std::uint64_t, rounds> ends_ = ends_of_rounds(rays_.rays, n_);
     std::optional<GatheredLight> light_; ///< empty if the direct light was distributed before
 
     std::uint64_t round_ = 0;
     std::uint64_t part_ = 0; ///< of the last round
     std::uint64_t parts_ = 1;
-    std::uint64_t next_item_; ///< of the sequence
-    RayBatch to_lights_;
-    RayBatch hemisphere_;
-    std::vector<double> expected_;       ///< rays over the hemispheres, for all parts of the last round
-    std::vector<double> rays_of_counts_; ///< number of rays that left each patch
-    LineCounts counts_;
-    LineCounts fresh_; ///< of the current round
-    Field source_;     ///< [W/m^2] unshot after the direct light has arrived
-    Field guess_;      ///< [W/m^2] radiosity
-    Field variance_;   ///< [(W/m^2)^2] of the radiosity
+    std::uint64_t next_item_ = rays_.first_item; ///< of the sequence
+    RayBatch to_lights_{n_};
+    RayBatch hemisphere_{n_};
+    std::vector<double> expected_ = large_vector<double>(n_);       ///< rays over the hemispheres, for all last parts
+    std::vector<double> rays_of_counts_ = large_vector<double>(n_); ///< number of rays that left each patch
+    LineCounts counts_{n_};
+    LineCounts fresh_{n_};                   ///< of the current round
+    Field source_ = large_vector<Rgb>(n_);   ///< [W/m^2] unshot after the direct light has arrived
+    Field guess_ = large_vector<Rgb>(n_);    ///< [W/m^2] radiosity
+    Field variance_ = large_vector<Rgb>(n_); ///< [(W/m^2)^2] of the radiosity
 };
 
 } // namespace

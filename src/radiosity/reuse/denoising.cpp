@@ -40,28 +40,21 @@ double sum(Rgb x)
     return x.r + x.g + x.b;
 }
 
-bool is_at_least(Rgb x, Rgb least)
-{
-    return x.r >= least.r && x.g >= least.g && x.b >= least.b;
-}
-
-Rgb excess(Rgb x, Rgb y)
-{
-    return {std::max(0.0, x.r - y.r), std::max(0.0, x.g - y.g), std::max(0.0, x.b - y.b)};
-}
-
 struct Extent
 {
     Coordinates low;
     Coordinates high;
 
-    explicit Extent(const Coordinates& point) : low(point), high(point) {}
-
-    void include(const Coordinates& point)
+    /// Bounding box of the coordinates of patches; there must be at least one.
+    template <class CoordinatesOf>
+    Extent(const std::uint32_t* first, const std::uint32_t* last, const CoordinatesOf& of) : low(of(*first)), high(low)
     {
-        for (std::size_t d = 0; d < coordinate_count; ++d) {
-            low[d] = std::min(low[d], point[d]);
-            high[d] = std::max(high[d], point[d]);
+        for (const std::uint32_t* patch = first; patch != last; ++patch) {
+            const Coordinates point = of(*patch);
+            for (std::size_t d = 0; d < coordinate_count; ++d) {
+                low[d] = std::min(low[d], point[d]);
+                high[d] = std::max(high[d], point[d]);
+            }
         }
     }
 
@@ -104,14 +97,6 @@ public:
         result[2] = centres_[patch].z;
         return result;
     }
-    /// Bounding box of the patches; there must be at least one.
-    Extent extent(const std::uint32_t* first, const std::uint32_t* last) const
-    {
-        Extent result(of_patch(*first));
-        for (const std::uint32_t* patch = first; patch != last; ++patch)
-            result.include(of_patch(*patch));
-        return result;
-    }
 
 private:
     const Scene& scene_;
@@ -145,15 +130,14 @@ public:
 
     void begin(const std::uint32_t* first, const std::uint32_t* last)
     {
+        patches_ = first;
         count_ = static_cast<std::size_t>(last - first);
-        const Extent box = coordinates_.extent(first, last);
+        const Extent box(first, last, [&](std::uint32_t i) { return coordinates_.of_patch(i); });
         const double width = box.length(box.longest());
         const double scale = width > 0.0 ? 2.0 / width : 0.0;
         for (std::vector<double>& x : at_)
             x.resize(count_);
         area_.resize(count_);
-        found_.resize(count_);
-        noise_.resize(count_);
         total_area_ = 0.0;
         const bool one_surface = scene_.surface_of(*first) == scene_.surface_of(last[-1]);
         const Surface& surface = scene_.surfaces()[scene_.surface_of(*first)];
@@ -171,8 +155,6 @@ public:
                 at_[d][k] = x[d];
             area_[k] = scene_.area(first[k]);
             total_area_ += area_[k];
-            found_[k] = radiosity_[first[k]];
-            noise_[k] = variance_[first[k]];
         }
         linear_ = one_surface ? 2 : coordinate_count;
         squared_ = one_surface ? 2 : 3;
@@ -209,11 +191,12 @@ public:
 
     std::size_t size() const { return count_; }
     double total_area() const { return total_area_; }
+    std::uint32_t patch(std::size_t k) const { return patches_[k]; }
     double area(std::size_t k) const { return area_[k]; }
-    Rgb found(std::size_t k) const { return found_[k]; }          ///< B
-    Rgb noise(std::size_t k) const { return noise_[k]; }          ///< s^2
-    Rgb value(std::size_t k) const { return value_[k]; }          ///< B~
-    double leverage(std::size_t k) const { return leverage_[k]; } ///< l
+    Rgb found(std::size_t k) const { return radiosity_[patches_[k]]; } ///< B
+    Rgb noise(std::size_t k) const { return variance_[patches_[k]]; }  ///< s^2
+    Rgb value(std::size_t k) const { return value_[k]; }               ///< B~
+    double leverage(std::size_t k) const { return leverage_[k]; }      ///< l
 
 private:
     /// Orthogonalises the polynomial against the basis (Gram-Schmidt), and adds it to basis and fit. A polynomial that
@@ -245,7 +228,7 @@ private:
                 q[k] -= norm * products[b] * basis_[b][k];
         Rgb share;
         for (std::size_t k = 0; k < count_; ++k)
-            share += (area_[k] * q[k]) * found_[k];
+            share += (area_[k] * q[k]) * found(k);
         for (std::size_t k = 0; k < count_; ++k) {
             value_[k] += q[k] * share;
             leverage_[k] += q[k] * q[k];
@@ -258,6 +241,7 @@ private:
     const PatchCoordinates& coordinates_;
     const std::vector<Rgb>& radiosity_;
     const std::vector<Rgb>& variance_;
+    const std::uint32_t* patches_ = nullptr;
     std::size_t count_ = 0;
     double total_area_ = 0.0;
     std::array<std::vector<double>, coordinate_count>
@@ -265,8 +249,6 @@ private:
     std::size_t linear_ = 0;  ///< number of coordinates with linear polynomials
     std::size_t squared_ = 0; ///< number of coordinates with quadratic polynomials
     std::vector<double> area_;
-    std::vector<Rgb> found_;
-    std::vector<Rgb> noise_;
     std::vector<double> polynomial_;                          ///< the next one to add
     std::vector<double> weighted_;                            ///< area times polynomial
     std::array<std::vector<double>, most_polynomials> basis_; ///< q; the first used_ are valid
@@ -303,7 +285,12 @@ public:
         order_ = patches_;
         shift_ = 0.25 + 0.5 * (number + 0.5) / tree_count;
         std::vector<Block> blocks;
-        for_groups([&](std::uint32_t begin, std::uint32_t end) { divide({begin, end, 0}, blocks); });
+        const auto count = static_cast<std::uint32_t>(patches_.size());
+        for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+            while (end < count && group(patches_[end]) == group(patches_[begin]))
+                ++end;
+            divide({begin, end, 0}, blocks);
+        }
         parallel_blocks(blocks.size(), threads_, [&](std::uint64_t b) {
             Fit fit(scene_, coordinates_, radiosity_, variance_);
             prune(blocks[static_cast<std::size_t>(b)], fit, radiosity, variance);
@@ -325,17 +312,6 @@ private:
     std::uint32_t group(std::uint32_t i) const
     {
         return 2 * scene_.file().material[scene_.surface_of(i)] + (scene_.is_front(i) ? 0 : 1);
-    }
-
-    template <class Take>
-    void for_groups(const Take& take) const
-    {
-        const auto count = static_cast<std::uint32_t>(patches_.size());
-        for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-            while (end < count && group(patches_[end]) == group(patches_[begin]))
-                ++end;
-            take(begin, end);
-        }
     }
 
     static Residual residual_of(const Fit& fit)
@@ -370,9 +346,7 @@ private:
         const auto coordinates = [&](std::uint32_t i) {
             return one ? coordinates_.of_patch(i) : coordinates_.of_surface(i);
         };
-        Extent box(coordinates(*first));
-        for (const std::uint32_t* patch = first; patch != last; ++patch)
-            box.include(coordinates(*patch));
+        const Extent box(first, last, coordinates);
         const std::size_t d = box.longest();
         constexpr int shifted_cuts = 2;
         const double at = box.low[d] + (block.cuts < shifted_cuts ? shift_ : 0.5) * box.length(d);
@@ -397,27 +371,26 @@ private:
                 risk += (price - 1.0) * scene_.area(order_[k]) * sum(variance_[order_[k]]);
         if (block.size() == 1)
             return risk;
-        const std::uint32_t* const patches = order_.data() + block.begin;
-        fit.begin(patches, order_.data() + block.end);
+        fit.begin(order_.data() + block.begin, order_.data() + block.end);
         for (int degree = 0; degree <= most_degree && fit.add_degree(degree); ++degree) {
             const Residual residual = residual_of(fit);
-            if (!(residual.risk() < risk) || !is_sound(fit, patches, residual))
+            if (!(residual.risk() < risk) || !is_sound(fit, residual))
                 continue;
             risk = residual.risk();
-            take(fit, patches, residual, radiosity, variance);
+            take(fit, residual, radiosity, variance);
         }
         return risk;
     }
 
     /// False for a fit that makes a patch darker than its emittance, or changes it more than noise can explain.
-    bool is_sound(const Fit& fit, const std::uint32_t* patches, const Residual& residual) const
+    bool is_sound(const Fit& fit, const Residual& residual) const
     {
         constexpr double far = 6.0;    // standard deviations
         constexpr double least = 0.01; // of the variance of the others: the few rays of a patch may have none
         const double usual = sum(residual.noise) / fit.total_area();
         for (std::size_t k = 0; k < fit.size(); ++k) {
             const Rgb difference = fit.found(k) - fit.value(k);
-            if (!is_at_least(fit.value(k), scene_.emittance(patches[k])) ||
+            if (!at_most(scene_.emittance(fit.patch(k)), fit.value(k)) ||
                 sum(difference * difference) > far * far * std::max(sum(fit.noise(k)), least * usual))
                 return false;
         }
@@ -426,16 +399,16 @@ private:
 
     /// Replaces the patches by the fit. Their variance is the part of the noise that the fit retains, plus the
     /// estimated squared bias of the fit.
-    void take(const Fit& fit, const std::uint32_t* patches, const Residual& residual, std::vector<Rgb>& radiosity,
-              std::vector<Rgb>& variance) const
+    void take(const Fit& fit, const Residual& residual, std::vector<Rgb>& radiosity, std::vector<Rgb>& variance) const
     {
-        const Rgb bias = 1.0 / fit.total_area() * excess(residual.found + residual.trace, residual.noise);
+        const auto excess = [](double x, double y) { return std::max(0.0, x - y); };
+        const Rgb bias = 1.0 / fit.total_area() * by_channel(excess, residual.found + residual.trace, residual.noise);
         Rgb noise;
         for (std::size_t k = 0; k < fit.size(); ++k)
             noise += fit.area(k) * fit.area(k) / fit.total_area() * fit.noise(k);
         for (std::size_t k = 0; k < fit.size(); ++k) {
-            radiosity[patches[k]] = fit.value(k);
-            variance[patches[k]] = fit.leverage(k) * noise + bias;
+            radiosity[fit.patch(k)] = fit.value(k);
+            variance[fit.patch(k)] = fit.leverage(k) * noise + bias;
         }
     }
 
@@ -457,17 +430,9 @@ std::vector<Rgb> texture_detail(const Scene& scene)
         return result;
     constexpr double least = 1e-3; // the light of black patches needs no smoothing
     const auto ratio = [](double a, double b) { return b > 0.0 && a > least * b ? a / b : 1.0; };
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const Rgb rho = scene.reflectance(i);
-        const Rgb mean = scene.material_of(i).reflectance;
-        result.push_back({ratio(rho.r, mean.r), ratio(rho.g, mean.g), ratio(rho.b, mean.b)});
-    }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.push_back(by_channel(ratio, scene.reflectance(i), scene.material_of(i).reflectance));
     return result;
-}
-
-Rgb without_detail(Rgb a, Rgb b)
-{
-    return {a.r / b.r, a.g / b.g, a.b / b.b};
 }
 
 } // namespace
@@ -480,8 +445,8 @@ void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         radiosity[i] = radiosity[i] - sunlight(i);
     for (std::uint32_t i = 0; i < detail.size(); ++i) {
-        radiosity[i] = scene.emittance(i) + without_detail(radiosity[i] - scene.emittance(i), detail[i]);
-        variance[i] = without_detail(variance[i], detail[i] * detail[i]);
+        radiosity[i] = scene.emittance(i) + quotient(radiosity[i] - scene.emittance(i), detail[i]);
+        variance[i] = quotient(variance[i], detail[i] * detail[i]);
     }
     Denoising denoising(scene, threads, radiosity, variance);
     std::vector<Rgb> mean_radiosity = large_vector<Rgb>(radiosity.size());

@@ -22,23 +22,18 @@ namespace {
 
 using Field = std::vector<Rgb>;
 
-Rgb root(Rgb a)
-{
-    return {std::sqrt(a.r), std::sqrt(a.g), std::sqrt(a.b)};
-}
-
 } // namespace
 
 ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
-                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, double tolerance,
-                                int most_steps, int threads)
+                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads,
+                                double tolerance, int most_steps)
 {
     const std::uint32_t n = exchange.size();
     Field rho_root = large_vector<Rgb>(n);
     Field inverse_diagonal = large_vector<Rgb>(n);
     bool positive = true;
     for (std::uint32_t i = 0; i < n; ++i) {
-        rho_root[i] = root(reflectance[i]);
+        rho_root[i] = square_root(reflectance[i]);
         const double area = exchange.row_area(i);
         const Rgb diagonal = Rgb{area, area, area} - exchange.self_exchange(i) * reflectance[i];
         positive = positive && at_most({}, diagonal);
@@ -76,14 +71,6 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
         y[i] = source[i] + rho_root[i] * y[i];
     solution.radiosity = std::move(y);
     return solution;
-}
-
-ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
-                                const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads)
-{
-    constexpr double tolerance = 1e-6; // a tenth of the noise of 10^9 lines
-    constexpr int most_steps = 500;
-    return solve_exchange(exchange, reflectance, source, std::move(first_guess), tolerance, most_steps, threads);
 }
 
 NoSolution no_solution(const Scene& scene)

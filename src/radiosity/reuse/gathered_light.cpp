@@ -7,17 +7,17 @@
 
 #include "base/elementary.h"
 #include "base/memory.h"
-#include "geometry/intersector/hit_lists.h"
-#include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "transport/exchange/line_counts.h"
 #include "transport/exchange/pair_rays.h"
+#include "transport/lines/shadow_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace multipath {
 
@@ -66,24 +66,18 @@ public:
         }
     }
 
-    std::size_t size() const { return lines_.size(); }
+    std::size_t size() const { return shadow_rays_.size(); }
 
     void trace(std::vector<ShadowRaySums>& sums)
     {
-        scene_.intersector().hits_on_targets(from_.data(), to_.data(), lines_.data(), lines_.size(), hits_);
-        for (std::size_t k = 0; k < targets_.size(); ++k) {
-            const Target& target = targets_[k];
-            if (!hits_.is_hit(k) || hits_[k].front != target.front)
-                continue;
+        shadow_rays_.trace(scene_, [&](const Target& target, const Hit& hit) {
+            if (hit.front != target.front)
+                return;
             ShadowRaySums& patch_sums = sums[target.patch];
             const Rgb emittance = scene_.emittance(scene_.first_patch(target.light));
             patch_sums.free += 1.0;
             patch_sums.light += (target.kernel / mean(emittance)) * emittance;
-        }
-        lines_.clear();
-        from_.clear();
-        to_.clear();
-        targets_.clear();
+        });
     }
 
 private:
@@ -91,7 +85,7 @@ private:
     {
         std::uint32_t patch; ///< patch that gathers the light
         std::uint32_t light; ///< surface
-        bool front;          ///< side of the surface in to_ that an unblocked ray meets
+        bool front;          ///< side of its target that an unblocked ray meets
         double kernel;       ///< g
     };
 
@@ -122,7 +116,9 @@ private:
         const LightTree::Cluster& light = tree_.cluster(leaf);
         const std::uint32_t surface = tree_.surface(leaf);
         Target target{patch, surface, true, 0.0};
+        std::uint32_t from = scene_.surface_of(patch);
         std::uint32_t to = surface;
+        Line line;
         if (leaf == seen.node && LightCuts::is_near(light, receiver, single_angle)) {
             const Patch dark = scene_.patch(patch);
             const Patch bright = {surface, tree_.piece(leaf).surface};
@@ -131,9 +127,9 @@ private:
             const RayPair::Ray ray = pair.ray(item);
             const double exchange = assumed * receiver.area * light.area / light.power;
             target = {patch, surface, pair.to_front(), ray.weight / pair.mean_weight(exchange)};
+            from = pair.from_surface();
             to = pair.to_surface();
-            lines_.push_back(ray.line);
-            from_.push_back(pair.from_surface());
+            line = ray.line;
         } else {
             const Vec3 start = square_to_uniform_surface(receiver.surface, item[0], item[1]);
             const Vec3 d = square_to_uniform_surface(tree_.piece(leaf).surface, item[2], item[3]) - start;
@@ -141,31 +137,21 @@ private:
             const double cosines =
                 std::max(0.0, dot(receiver.normal, d)) * std::max(0.0, -dot(tree_.piece(leaf).normal, d));
             target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / assumed;
-            lines_.push_back({start, d});
-            from_.push_back(scene_.surface_of(patch));
+            line = {start, d};
             if (leaf != seen.node && planned) {
                 patch_sums.error += target.kernel - 1.0;
                 patch_sums.square += (target.kernel - 1.0) * (target.kernel - 1.0);
             }
         }
         patch_sums.kernel += target.kernel;
-        if (!(target.kernel > 0.0)) {
-            lines_.pop_back();
-            from_.pop_back();
-            return;
-        }
-        targets_.push_back(target);
-        to_.push_back(to);
+        if (target.kernel > 0.0)
+            shadow_rays_.add(from, to, line, target);
     }
 
     const Scene& scene_;
     const LightTree& tree_;
     const LightCuts& cuts_;
-    std::vector<Line> lines_;
-    std::vector<std::uint32_t> from_; ///< surfaces
-    std::vector<std::uint32_t> to_;   ///< surfaces that unblocked rays meet: of the lights, or of the patches
-    std::vector<Target> targets_;
-    FirstHits hits_;
+    ShadowRays<Target> shadow_rays_;
 };
 
 /// Shrinkage factor (empirical Bayes) for a mean error that is estimated by m rays with this variance each, if errors
@@ -183,30 +169,18 @@ double variance(const RaySums& sums)
 
 } // namespace
 
-const LightTree& SceneLights::tree() const
+SceneLights::SceneLights(const Scene& scene, int threads) : threads_(threads)
 {
-    cuts();
-    return *tree_;
-}
-
-const LightCuts& SceneLights::cuts() const
-{
-    std::call_once(lights_found_, [this] {
-        tree_.emplace(scene_);
-        cuts_.emplace(scene_, *tree_, cluster_angle, threads_);
+    lights_ = std::async(std::launch::deferred, [&scene, threads] {
+        LightTree tree(scene);
+        LightCuts cuts(scene, tree, cluster_angle, threads);
+        return Lights{std::move(tree), std::move(cuts)};
     });
-    return *cuts_;
-}
-
-const SurfaceTree& SceneLights::patches() const
-{
-    std::call_once(patches_found_, [this] {
+    patches_ = std::async(std::launch::deferred, [&scene] {
         constexpr std::uint32_t patches_of_leaf = 8;
-        patches_.emplace(
-            scene_.patch_count(), [&](std::uint32_t i) { return scene_.patch(i).shape; }, scene_.bounds().diagonal(),
-            patches_of_leaf);
+        const auto shape = [&](std::uint32_t i) { return scene.patch(i).shape; };
+        return SurfaceTree(scene.patch_count(), shape, scene.bounds().diagonal(), patches_of_leaf);
     });
-    return *patches_;
 }
 
 GatheredLight::GatheredLight(const Scene& scene, const SceneLights& lights)
@@ -271,7 +245,7 @@ std::vector<RaySums> GatheredLight::visible_shares() const
         const ShadowRaySums& patch_sums = sums_[i];
         return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.free, patch_sums.free};
     });
-    return pooled(patches_, free, enough_rays, threads_);
+    return pooled(patches_, free, enough_rays, OwnRays::counted, threads_);
 }
 
 std::vector<double> GatheredLight::deviations() const
@@ -291,7 +265,7 @@ std::vector<Rgb> GatheredLight::incident() const
         const ShadowRaySums& patch_sums = sums_[i];
         return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.error, patch_sums.square};
     });
-    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, threads_);
+    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, OwnRays::counted, threads_);
     constexpr double error_around = 0.1; // typical errors, relative
     constexpr double error_alone = 0.03;
     auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
@@ -358,7 +332,7 @@ GatheredSkylight gathered_skylight(const Scene& scene, const SurfaceTree& patche
         own[i] = {cast, cast, open, open};
         group_of(i).own += own[i];
     }
-    const std::vector<RaySums> around = pooled(patches, own, enough_rays, run.threads);
+    const std::vector<RaySums> around = pooled(patches, own, enough_rays, OwnRays::counted, run.threads);
     const auto fraction = [&](std::uint32_t i) { return quotient(around[i].value, around[i].weight); };
     for (std::uint32_t i = 0; i < n; ++i)
         group_of(i).found += scene.area(i) * fraction(i);

@@ -9,8 +9,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
-#include <mutex>
-#include <optional>
+#include <future>
 #include <vector>
 
 namespace multipath {
@@ -21,21 +20,23 @@ namespace multipath {
 class SceneLights
 {
 public:
-    SceneLights(const Scene& scene, int threads) : scene_(scene), threads_(threads) {}
+    SceneLights(const Scene& scene, int threads);
 
-    const LightTree& tree() const;
-    const LightCuts& cuts() const;
-    const SurfaceTree& patches() const;
+    const LightTree& tree() const { return lights_.get().tree; }
+    const LightCuts& cuts() const { return lights_.get().cuts; }
+    const SurfaceTree& patches() const { return patches_.get(); }
     int threads() const { return threads_; }
 
 private:
-    const Scene& scene_;
+    struct Lights
+    {
+        LightTree tree;
+        LightCuts cuts;
+    };
+
     int threads_;
-    mutable std::once_flag lights_found_;
-    mutable std::once_flag patches_found_;
-    mutable std::optional<LightTree> tree_;
-    mutable std::optional<LightCuts> cuts_;
-    mutable std::optional<SurfaceTree> patches_;
+    std::shared_future<Lights> lights_;
+    std::shared_future<SurfaceTree> patches_;
 };
 
 /// Sums over the shadow rays of a patch. For each ray, g is the light that it would carry without obstacles, divided by

@@ -112,11 +112,8 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         order_.push_back(one.surface);
 }
 
-namespace {
-
-/// For each surface, take(sums of each node, its leaf, its number).
-template <class Take>
-std::vector<RaySums> from_nodes(const SurfaceTree& tree, const std::vector<RaySums>& own, int threads, const Take& take)
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, OwnRays own_rays,
+                            int threads)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree.nodes();
     const auto count = static_cast<std::uint32_t>(nodes.size());
@@ -132,35 +129,18 @@ std::vector<RaySums> from_nodes(const SurfaceTree& tree, const std::vector<RaySu
     for (std::uint32_t k = count; k-- > 1;)
         sums[nodes[k].parent] += sums[k];
     std::vector<RaySums> result = large_vector<RaySums>(own.size());
-    for_leaves([&](std::uint32_t k, std::uint32_t surface) { result[surface] = take(sums, k, surface); });
+    for_leaves([&](std::uint32_t k, std::uint32_t surface) {
+        const RaySums left_out = own_rays == OwnRays::left_out ? own[surface] : RaySums{};
+        if (own_rays == OwnRays::counted && own[surface].rays >= enough) {
+            result[surface] = own[surface];
+            return;
+        }
+        while (k > 0 && sums[k].rays - left_out.rays < enough)
+            k = nodes[k].parent;
+        result[surface] = {sums[k].rays - left_out.rays, std::max(0.0, sums[k].weight - left_out.weight),
+                           sums[k].value - left_out.value, sums[k].square - left_out.square};
+    });
     return result;
-}
-
-} // namespace
-
-std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
-{
-    return from_nodes(tree, own, threads,
-                      [&](const std::vector<RaySums>& sums, std::uint32_t k, std::uint32_t surface) {
-                          if (own[surface].rays >= enough)
-                              return own[surface];
-                          while (k > 0 && sums[k].rays < enough)
-                              k = tree.nodes()[k].parent;
-                          return sums[k];
-                      });
-}
-
-std::vector<RaySums> pooled_around(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads)
-{
-    return from_nodes(tree, own, threads,
-                      [&](const std::vector<RaySums>& sums, std::uint32_t k, std::uint32_t surface) {
-                          const RaySums& left_out = own[surface];
-                          while (k > 0 && sums[k].rays - left_out.rays < enough)
-                              k = tree.nodes()[k].parent;
-                          const RaySums& all = sums[k];
-                          return RaySums{all.rays - left_out.rays, std::max(0.0, all.weight - left_out.weight),
-                                         all.value - left_out.value, all.square - left_out.square};
-                      });
 }
 
 // The cut of a patch is found by descending from the root: a cluster that is seen under a small angle is used as a

@@ -56,15 +56,15 @@ struct RaySums
     double standard_deviation() const;
 };
 
-/// For each surface, the sums of its own rays if these are `enough` or more. Otherwise, the sums over the smallest node
-/// of the tree that contains the surface and has enough rays, or over all surfaces if no node has enough. `own`: the
-/// sums of each surface alone, in the order of their indices.
-std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, int threads);
+/// Whether pooled() counts the rays of a surface itself. What is decided by sums without them is independent of what
+/// they have found.
+enum class OwnRays { counted, left_out };
 
-/// The same without the rays of the surface itself: the sums over the smallest node that has `enough` other rays. What
-/// is decided by them is independent of what the rays of the surface have found.
-std::vector<RaySums> pooled_around(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough,
-                                   int threads);
+/// For each surface, the sums over the smallest node of the tree that contains the surface and has `enough` rays, or
+/// over all surfaces if no node has enough. A surface whose own rays are enough keeps their sums, if they are counted.
+/// `own`: the sums of each surface alone, in the order of their indices.
+std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, OwnRays own_rays,
+                            int threads);
 
 /// Binary tree over the lights, the emitting surfaces of a scene without the sky, for treating a distant group of
 /// lights as one light (lightcuts: Walter et al. 2005). Each leaf is a single light.

@@ -12,7 +12,6 @@
 #include "transport/exchange/symmetric_product.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 namespace multipath {
@@ -20,11 +19,6 @@ namespace multipath {
 namespace {
 
 using Field = std::vector<Rgb>;
-
-std::vector<double> row_sums(const PairMatrix<float>& pairs, int threads)
-{
-    return symmetric_product(pairs, {std::vector<double>(pairs.size(), 1.0)}, threads)[0];
-}
 
 /// Lines that left the front of a patch, or of all patches on one side of a surface.
 struct LeavingLines
@@ -119,9 +113,9 @@ Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& loss
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
         rows[i] += losses.escaping[i] + losses.behind[i];
     const DenseExchange exchange(pairs, losses, rows, threads);
-    Field radiosity = solve_exchange(exchange, rho, source, source, 1e-2, 8, threads).radiosity;
+    Field radiosity = solve_exchange(exchange, rho, source, source, threads, 1e-2, 8).radiosity;
     for (Rgb& b : radiosity)
-        b = {std::max(b.r, 0.0), std::max(b.g, 0.0), std::max(b.b, 0.0)};
+        b = by_channel([](double x) { return std::max(x, 0.0); }, b);
     return radiosity;
 }
 
@@ -147,20 +141,12 @@ struct CountedExchange
         archive.value<std::uint64_t>("lines", lines);
         if (lines == 0)
             return;
-        estimate.exchange.visit<float>(archive, "exchange");
-        estimate.variance.visit<float>(archive, "variance");
+        estimate.visit(archive);
         archive.list<double>("escaping", losses.escaping);
         archive.list<double>("behind", losses.behind);
         archive.list<double>("variance of losses", variance_of_losses);
         archive.list<double>("first guess", first_guess);
     }
-};
-
-/// The exchange after the closure: its rows add up to the areas of the patches.
-struct ClosedExchange
-{
-    PairMatrix<float> pairs;
-    ExchangeLosses losses;
 };
 
 /// Sets the lost exchange of a patch to `lost` [m^2], in proportion to its parts; if nothing was lost before, it
@@ -174,37 +160,35 @@ void set_losses(double lost, double& escaping, double& behind)
 
 /// Closes the rows. Losses that would become negative are set to zero, and the rest is closed again (the active-set
 /// method for least squares with bounds, Lawson and Hanson 1974, chapter 23).
-ClosedExchange closed(const Scene& scene, const PairMatrix<float>& unoccluded, CountedExchange counted, int threads)
+void close_rows(const Scene& scene, const PairMatrix<float>& unoccluded, int threads, CountedExchange& counted)
 {
     constexpr int most_passes = 8;
-    ExchangeLosses losses = std::move(counted.losses);
-    ClosedEstimate result{std::move(counted.estimate), {}};
-    std::vector<double> variance = std::move(counted.variance_of_losses);
+    std::vector<double>& escaping = counted.losses.escaping;
+    std::vector<double>& behind = counted.losses.behind;
+    std::vector<double> variance = counted.variance_of_losses;
     const std::vector<double> area = scene.areas();
     const std::vector<double> seen = row_sums(unoccluded, threads);
     for (std::uint32_t i = 0; i < area.size(); ++i)
         if (!(seen[i] > 0.0)) {
-            set_losses(area[i], losses.escaping[i], losses.behind[i]);
+            set_losses(area[i], escaping[i], behind[i]);
             variance[i] = 0.0;
         }
     bool negative = true;
     for (int pass = 0; pass < most_passes && negative; ++pass) {
         std::vector<double> wanted = area;
         for (std::uint32_t i = 0; i < area.size(); ++i)
-            wanted[i] -= losses.escaping[i] + losses.behind[i];
-        result = reconciled(std::move(result), wanted, variance, threads);
+            wanted[i] -= escaping[i] + behind[i];
+        const std::vector<double> changes = reconcile(counted.estimate, wanted, variance, threads);
         negative = false;
         for (std::uint32_t i = 0; i < area.size(); ++i) {
-            const double change = result.sum_residual[i];
-            const double lost = losses.escaping[i] + losses.behind[i] + change;
+            const double lost = escaping[i] + behind[i] + changes[i];
             negative = negative || lost < 0.0;
             if (lost < 0.0)
                 variance[i] = 0.0;
-            if (change != 0.0)
-                set_losses(std::max(0.0, lost), losses.escaping[i], losses.behind[i]);
+            if (changes[i] != 0.0)
+                set_losses(std::max(0.0, lost), escaping[i], behind[i]);
         }
     }
-    return {std::move(result.exchange), std::move(losses)};
 }
 
 /// Sets negative estimates to zero. The resulting errors of the row sums become self-exchange, so that the diagonal
@@ -233,8 +217,9 @@ double reuse_bytes(const Scene& scene)
     return std::max(estimated * pairs, counted * pairs + estimation_bytes(scene));
 }
 
-std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
-                          const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state)
+std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatrix<float>>& unoccluded,
+                          const GlobalLines& lines, const Sequence& sequence, const ReusedLines& plan,
+                          const RunControl& run, PowerState& state)
 {
     if (plan.cast == 0)
         return 0;
@@ -249,8 +234,8 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
             return counts.lines;
         const double area = crossing_area_of(counts.lines);
         counted.lines = counts.lines;
-        counted.estimate = estimate_exchange(scene, unoccluded.table(), counts, area, run.threads);
-        counted.losses = losses(scene, counts, row_sums(unoccluded.table(), run.threads),
+        counted.estimate = estimate_exchange(scene, unoccluded.get(), counts, area, run.threads);
+        counted.losses = losses(scene, counts, row_sums(unoccluded.get(), run.threads),
                                 row_sums(counted.estimate.exchange, run.threads), counted.variance_of_losses);
         counted.first_guess = plan.rays > 0
                                   ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads)
@@ -259,27 +244,24 @@ std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unocclud
     const std::uint64_t lines_cast = counted.lines;
     const double crossing_area = crossing_area_of(lines_cast);
     if (plan.rays > 0 && !run.stopped())
-        refine_by_rays(counted.estimate, scene, unoccluded.table(), crossing_area, counted.first_guess, sequence,
+        refine_by_rays(counted.estimate, scene, unoccluded.get(), crossing_area, counted.first_guess, sequence,
                        {plan.first_ray_item, plan.rays, plan.seed}, run);
     if (run.stopped() && run.is_shard())
         return lines_cast;
-    const Field first_guess = counted.first_guess;
-    ClosedExchange closed_exchange = closed(scene, unoccluded.table(), std::move(counted), run.threads);
+    close_rows(scene, unoccluded.get(), run.threads, counted);
 
-    const auto exchange_of_pairs = [&] {
-        return std::make_unique<DenseExchange>(closed_exchange.pairs, closed_exchange.losses, scene.areas(),
-                                               run.threads);
+    const auto solved = [&](const Field& first_guess) {
+        const DenseExchange exchange(counted.estimate.exchange, counted.losses, scene.areas(), run.threads);
+        const ExchangeSolution solution = solve_exchange(exchange, rho, source, first_guess, run.threads); // (R1)
+        if (solution.converged)
+            distribute(scene, exchange, solution.radiosity, 1.0, run.threads, state);
+        return solution.converged;
     };
-    std::unique_ptr<DenseExchange> exchange = exchange_of_pairs();
-    ExchangeSolution solution = solve_exchange(*exchange, rho, source, first_guess, run.threads); // (R1)
-    if (!solution.converged) {
-        clamp_to_positive(closed_exchange.pairs);
-        exchange = exchange_of_pairs();
-        solution = solve_exchange(*exchange, rho, source, source, run.threads);
-        if (!solution.converged)
+    if (!solved(counted.first_guess)) {
+        clamp_to_positive(counted.estimate.exchange);
+        if (!solved(source))
             throw no_solution(scene);
     }
-    distribute(scene, *exchange, solution.radiosity, 1.0, run.threads, state);
     return lines_cast;
 }
 

@@ -3,10 +3,11 @@
 #include "parallel/run_control.h"
 #include "radiosity/paper/power_state.h"
 #include "sampling/sequence.h"
-#include "transport/exchange/unoccluded_exchange.h"
+#include "transport/exchange/pair_counts.h"
 #include "transport/lines/global_lines.h"
 
 #include <cstdint>
+#include <future>
 
 namespace multipath {
 
@@ -32,11 +33,13 @@ double reuse_bytes(const Scene& scene);
 /// each pair of patches exchanges, and rays refine the estimates of pairs that exchange much light and are partly
 /// occluded. Then the linear system of the radiosities is solved, (R1) in docs/equations.md.
 ///
+/// `unoccluded` is the matrix of unoccluded_exchange(), which is needed only after the lines.
 /// Returns the number of global lines cast: plan.cast, or fewer if the run is stopped. A stopped run still solves the
 /// system with the lines cast so far. A run that is a shard (RunControl) stops before that: its counts of lines, or the
 /// estimates that its rays refined, are in the checkpoint, and `state` remains unchanged. The caller must save `state`
 /// in the checkpoint; this function saves the rest. Throws InputError if (R1) has no solution.
-std::uint64_t reuse_lines(const Scene& scene, const UnoccludedExchange& unoccluded, const GlobalLines& lines,
-                          const Sequence& sequence, const ReusedLines& plan, const RunControl& run, PowerState& state);
+std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatrix<float>>& unoccluded,
+                          const GlobalLines& lines, const Sequence& sequence, const ReusedLines& plan,
+                          const RunControl& run, PowerState& state);
 
 } // namespace multipath

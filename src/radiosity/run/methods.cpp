@@ -1,6 +1,6 @@
-// Each method is a row of the table at the end of this file: a name, its options, and functions that choose and prepare
-// its stages. The stages, at the beginning, adapt the algorithms of the other files to a Run: they pass the options on,
-// divide the lines and the items of the sequence, and record how many lines were cast.
+// Each method is a row of the table at the end of this file: a name, its options, its stages, and a function that
+// prepares them. The stages, at the beginning, adapt the algorithms of the other files to a Run: they pass the options
+// on, divide the lines and the items of the sequence, and record how many lines were cast.
 
 #include "radiosity/run/methods.h"
 
@@ -16,9 +16,12 @@
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run/memory_estimate.h"
 #include "radiosity/run/run.h"
+#include "transport/exchange/unoccluded_exchange.h"
 #include "transport/lines/depth_complexity.h"
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -59,32 +62,19 @@ bool gathers(const Run& run)
 
 bool are_few(const Run& run)
 {
-    return run.lines_left() < (run.preparation.unoccluded ? min_table_lines(run.scene) : min_balanced_rays(run.scene));
-}
-
-/// Lets particles carry the light if there are too few lines per patch for line reuse. Returns whether it has.
-bool carried_by_particles(Run& run)
-{
-    if (!are_few(run))
-        return false;
-    if (run.shard.of > 1)
-        throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
-                                               "expected more lines, or no shards");
-    particles(run);
-    return true;
+    return run.lines_left() <
+           (run.preparation.unoccluded.valid() ? min_table_lines(run.scene) : min_balanced_rays(run.scene));
 }
 
 /// Line reuse with a table of all pairs. With Direct::gather, a part of the lines become rays between pairs.
 void reuse_pairs(Run& run)
 {
-    if (carried_by_particles(run))
-        return;
     const std::uint64_t rays = gathers(run) ? std::min(run.local_share(1.0), run.options.lines - 1) : 0;
     const std::uint64_t first_ray = run.first_local_item();
     run.solution.local_lines += rays;
     run.plan_global_lines();
     const ReusedLines plan{run.first_global_item(), run.solution.global_lines_cast, first_ray, rays, run.options.seed};
-    run.note_cast(reuse_lines(run.scene, *run.preparation.unoccluded, run.lines, *run.sequence, plan,
+    run.note_cast(reuse_lines(run.scene, run.preparation.unoccluded, run.lines, *run.sequence, plan,
                               run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
                               run.state)); // (R1)
 }
@@ -120,8 +110,6 @@ void rays_to_sky(Run& run)
 /// Line reuse without a table of all pairs.
 void reuse_rays(Run& run)
 {
-    if (carried_by_particles(run))
-        return;
     const BalancedRays rays{run.first_local_item(), run.lines_left(), gathers(run), true, run.options.importance.get()};
     BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays, run.options.memory,
                                            run.control(1, 1, run.shard),
@@ -129,6 +117,16 @@ void reuse_rays(Run& run)
     run.solution.local_lines += result.rays;
     run.solved = result.solved;
     run.variance = std::move(result.variance);
+}
+
+/// Line reuse, or particles if there are too few lines per patch for it.
+void reuse(Run& run)
+{
+    const bool few = are_few(run);
+    if (few && run.shard.of > 1)
+        throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
+                                               "expected more lines, or no shards");
+    (few ? particles : run.preparation.unoccluded.valid() ? reuse_pairs : reuse_rays)(run);
 }
 
 /// The first estimate for the Jacobi iterations.
@@ -166,38 +164,6 @@ void walks(Run& run)
         gather_by_walks(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (W1)
     run.solution.local_lines += result.segments;
     run.solved = result.solved;
-}
-
-// Choice of stages
-
-std::vector<Stage> stages_of_local(const Run&)
-{
-    return {particles};
-}
-
-std::vector<Stage> stages_of_walk(const Run&)
-{
-    return {shots, global_pass};
-}
-
-std::vector<Stage> stages_of_jacobi(const Run&)
-{
-    return {ray_series, ray_iterations};
-}
-
-std::vector<Stage> stages_of_transillumination(const Run&)
-{
-    return {shots, bundle_iterations};
-}
-
-std::vector<Stage> stages_of_gathering(const Run&)
-{
-    return {walks};
-}
-
-std::vector<Stage> stages_of_reuse(const Run& run)
-{
-    return {shots, rays_to_sky, run.preparation.unoccluded ? reuse_pairs : reuse_rays};
 }
 
 // Preparation
@@ -239,7 +205,8 @@ void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation&
     if (options.all_pairs && !options.importance && table_pays(scene, options.lines) &&
         reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
         pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
-        preparation.unoccluded = std::make_shared<const UnoccludedExchange>(scene, options.threads);
+        preparation.unoccluded =
+            std::async(std::launch::deferred, unoccluded_exchange, std::cref(scene), options.threads);
     else
         preparation.lights = std::make_shared<const SceneLights>(scene, options.threads);
 }
@@ -262,57 +229,50 @@ std::uint64_t lines_to_trust_reuse(const Scene& scene)
 
 constexpr std::uint64_t any_lines = ~std::uint64_t{0};
 
-FirstShot plain_shot(const SolveOptions&)
-{
-    return FirstShot::plain;
-}
-
-FirstShot extended_shots(const SolveOptions&)
-{
-    return FirstShot::extended;
-}
-
-FirstShot shots_of_reuse(const SolveOptions& options)
-{
-    return options.direct == Direct::shoot ? FirstShot::extended : FirstShot::none;
-}
+constexpr Stages only_particles = {particles};
+constexpr Stages shots_and_walk = {shots, global_pass};
+constexpr Stages shots_and_reuse = {shots, rays_to_sky, reuse};
+constexpr Stages rays_and_iterations = {ray_series, ray_iterations};
+constexpr Stages shots_and_bundles = {shots, bundle_iterations};
+constexpr Stages only_walks = {walks};
 
 constexpr MethodInfo method_table[] = {
     {"local",
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
-     "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_local, nullptr, nullptr, "local"},
+     "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, only_particles, nullptr, FirstShot::none,
+     "local"},
     {"global",
      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that a "
      "line joins exchanges power.",
      "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, no_lines,
-     stages_of_walk, nullptr, nullptr, "global"},
+     shots_and_walk, nullptr, FirstShot::none, "global"},
     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, stages_of_walk, prepare_ratio, plain_shot, "first-shot global"},
+     Shards::averaged, any_lines, no_lines, shots_and_walk, prepare_ratio, FirstShot::plain, "first-shot global"},
     {"extended",
      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
      "lines. For lamps that light little of the room directly.",
      "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, stages_of_walk, prepare_ratio, extended_shots,
+     Shards::averaged, any_lines, no_lines, shots_and_walk, prepare_ratio, FirstShot::extended,
      "first-shot extended:PASS global"},
     {"reuse",
      "Lines are only counted: which patches they join, and what is in their way. A linear system then gives the light. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct denoise important power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot",
-     Chords::box, Shards::added, 0xffffffffu, lines_to_trust_reuse, stages_of_reuse, prepare_pairs, shots_of_reuse, "",
-     "extended"},
+     Chords::box, Shards::added, 0xffffffffu, lines_to_trust_reuse, shots_and_reuse, prepare_pairs, FirstShot::extended,
+     "", "extended"},
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
-     "bidirectional important", Chords::sphere, Shards::averaged, any_lines, no_lines, stages_of_jacobi, nullptr,
-     nullptr, "iteration"},
+     "bidirectional important", Chords::sphere, Shards::averaged, any_lines, no_lines, rays_and_iterations, nullptr,
+     FirstShot::none, "iteration"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",
-     "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines,
-     stages_of_transillumination, prepare_ratio, plain_shot, "first-shot bundle"},
+     "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines, shots_and_bundles,
+     prepare_ratio, FirstShot::plain, "first-shot bundle"},
     {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, stages_of_gathering, nullptr, nullptr, "gathering"}};
+     Shards::averaged, any_lines, no_lines, only_walks, nullptr, FirstShot::none, "gathering"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

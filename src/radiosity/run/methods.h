@@ -2,6 +2,7 @@
 
 #include "transport/lines/global_lines.h"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ struct SolveOptions;
 /// A function for one part of a run (run.h), such as the first shot. It advances the state of the run, and can be
 /// interrupted and resumed.
 using Stage = void (*)(Run&);
+using Stages = std::array<Stage, 3>; ///< in order; a null does nothing
 
 /// How the results of shards (runs that divide the lines of one run, usually on several computers) are combined.
 /// averaged: each shard is a solution of its own, and the result is their mean, weighted by their lines. added: each
@@ -40,10 +42,10 @@ struct MethodInfo
     std::uint64_t most_lines; ///< maximum number of lines of one run
     /// Lines per patch that each replicate needs before the scatter of replicates is a good estimate of the error.
     std::uint64_t (*lines_per_patch)(const Scene&);
-    std::vector<Stage> (*stages)(const Run&); ///< returns the stages of the run, in order
+    Stages stages;
     /// Sets the part of Preparation (solve.h) that the method needs. Null if it needs none.
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr;
-    FirstShot (*first_shot)(const SolveOptions&) = nullptr; ///< null: the method has none
+    FirstShot first_shot = FirstShot::none; ///< of `reuse`, if the option `direct` is `shoot`
     /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`. In
     /// "extended:PASS", PASS stands for the number of a pass.
     std::string_view traced = {};

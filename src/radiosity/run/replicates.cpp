@@ -17,50 +17,12 @@ namespace multipath {
 
 namespace {
 
-/// Mean and sum of squared deviations of the radiosity of each patch.
-class PatchMoments
-{
-public:
-    explicit PatchMoments(std::size_t patches) : mean_(patches), squares_(patches) {}
-
-    void add(const std::vector<Rgb>& values)
-    {
-        count_ += 1.0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const Moments<Rgb> moments = with_sample({mean_[i], squares_[i]}, values[i], count_);
-            mean_[i] = moments.mean;
-            squares_[i] = moments.squares;
-        }
-    }
-    const std::vector<Rgb>& mean() const { return mean_; }
-    void visit(Archive& archive) ///< for a checkpoint
-    {
-        archive.value<double>("count", count_);
-        archive.list<double>("mean", mean_);
-        archive.list<double>("squares", squares_);
-    }
-    /// Standard errors of the means.
-    std::vector<Rgb> standard_errors() const
-    {
-        std::vector<Rgb> errors(squares_);
-        for (Rgb& e : errors)
-            e = {standard_error_of_mean(e.r, count_), standard_error_of_mean(e.g, count_),
-                 standard_error_of_mean(e.b, count_)};
-        return errors;
-    }
-
-private:
-    double count_ = 0.0;
-    std::vector<Rgb> mean_;
-    std::vector<Rgb> squares_;
-};
-
 /// The replicates of one round, with the result of those that are finished.
 class ReplicateRun
 {
 public:
     ReplicateRun(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t round)
-        : scene_(scene), options_(options), replicates_(replicates), round_(round), moments_(scene.patch_count())
+        : scene_(scene), options_(options), replicates_(replicates), round_(round), means_(scene.patch_count())
     {
         if (options.lines < static_cast<std::uint64_t>(replicates))
             throw SettingsError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
@@ -90,7 +52,7 @@ private:
     void visit(Archive& archive)
     {
         archive.value<std::uint64_t>("finished", finished_);
-        moments_.visit(archive);
+        archive.list<double>("means", means_);
         sum_.visit(archive, scene_.patch_count());
     }
 
@@ -107,16 +69,11 @@ private:
 
     void add_one(const Solution& one)
     {
-        moments_.add(one.radiosity);
-        add(one.balance, 1.0 / replicates_, sum_.balance);
         for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
-            sum_.unshot[i] += 1.0 / replicates_ * one.unshot[i];
-        sum_.local_lines += one.local_lines;
-        sum_.global_lines += one.global_lines;
-        sum_.global_lines_cast += one.global_lines_cast;
+            means_[i].add(one.radiosity[i]);
+        add(one, 1.0 / replicates_, sum_);
         if (finished_ == 0)
             sum_.shot_passes = one.shot_passes;
-        sum_.by_particles = sum_.by_particles || one.by_particles;
         ++finished_;
     }
 
@@ -130,11 +87,12 @@ private:
             for (Rgb& unshot : solution.unshot)
                 unshot = scale * unshot;
         }
-        solution.radiosity = moments_.mean();
+        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
+            solution.radiosity[i] = means_[i].mean();
         solution.replicates = static_cast<int>(finished_);
-        solution.all_lines = solution.local_lines + solution.global_lines;
         if (finished_ > 1) {
-            solution.standard_error = moments_.standard_errors();
+            for (const MeanOf<Rgb>& patch : means_)
+                solution.standard_error.push_back(patch.standard_error());
             if (denoised)
                 denoise_mean(solution);
             solution.relative_standard_error =
@@ -150,7 +108,7 @@ private:
             variance.push_back(error * error);
         denoise(scene_, options_.threads, solution.radiosity, variance);
         for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
-            solution.standard_error[i] = {std::sqrt(variance[i].r), std::sqrt(variance[i].g), std::sqrt(variance[i].b)};
+            solution.standard_error[i] = square_root(variance[i]);
     }
 
     const Scene& scene_;
@@ -158,9 +116,9 @@ private:
     int replicates_;
     std::uint64_t round_;
     std::uint64_t finished_ = 0;
-    PatchMoments moments_;
+    std::vector<MeanOf<Rgb>> means_; ///< radiosity of each patch
     Solution sum_; ///< over the finished replicates, each divided by their planned number; radiosity and its errors are
-                   ///< in moments_
+                   ///< in means_
 };
 
 /// Prepares for the lines of a single replicate, which are few: a table that pays for all lines may not pay for these.

@@ -26,12 +26,8 @@ std::string text_of(double power)
 /// NoSolution otherwise.
 void require_sound(const Scene& scene, const Solution& solution)
 {
-    const auto at_least = [](Rgb b, Rgb e) {
-        const auto channel = [](double x, double least) { return std::isfinite(x) && x >= least; };
-        return channel(b.r, e.r) && channel(b.g, e.g) && channel(b.b, e.b);
-    };
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (!at_least(solution.radiosity[i], scene.emittance(i)))
+        if (const Rgb b = solution.radiosity[i]; !std::isfinite(b.r + b.g + b.b) || !at_most(scene.emittance(i), b))
             throw NoSolution(scene.path() +
                              ": the equations of the light have no sound solution with these lines; expected more");
     const PowerBalance& balance = solution.balance;
@@ -73,11 +69,12 @@ Run::Run(const Scene& scene_of_run, const SolveOptions& options_of_run, const Pr
 
 Solution Run::solve()
 {
-    const std::vector<Stage> stages = options.method->stages(*this);
+    const Stages& stages = options.method->stages;
     const Checkpoint::Part part(checkpoint_, "run", [this](Archive& archive) { visit(archive); });
     while (stages_done_ < stages.size() && !stopped()) {
         local_lines_before_ = solution.local_lines;
-        stages[stages_done_](*this);
+        if (stages[stages_done_])
+            stages[stages_done_](*this);
         stages_done_ += stopped() ? 0 : 1;
     }
     return finish();
@@ -97,7 +94,7 @@ void Run::visit(Archive& archive)
 
 std::uint64_t Run::local_share(double usual_ratio) const
 {
-    return split_lines(options.lines, options.ratio.value_or(usual_ratio)).local_lines;
+    return local_line_count(options.lines, options.ratio.value_or(usual_ratio));
 }
 
 std::uint64_t Run::lines_left() const

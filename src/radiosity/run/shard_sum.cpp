@@ -11,19 +11,11 @@
 #include "transport/exchange/pair_counts.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace multipath {
 
 namespace {
-
-template <class Value>
-void visit_inner(Archive& archive, std::string_view name, Value& value)
-{
-    const Archive::Inner inner(archive, std::string(name));
-    value.visit(archive);
-}
 
 void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patches, Archive& sum)
 {
@@ -53,10 +45,10 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
     const Blocks blocks = GatheredLight::blocks(patches);
     for (std::size_t k = 0; k < shards.size(); ++k) {
         const Archive::Inner inner(*shards[k], "balanced reuse");
-        visit_inner(*shards[k], "to lights", light_ranges[k]);
-        visit_inner(*shards[k], "hemisphere", hemisphere_ranges[k]);
+        shards[k]->object("to lights", light_ranges[k]);
+        shards[k]->object("hemisphere", hemisphere_ranges[k]);
         std::vector<ShadowRaySums> shard;
-        shards[k]->growing_list<double>("sights", shard);
+        shards[k]->optional_list<double>("sights", shard);
         if (k == 0)
             shadow_ray_sums = shard;
         if (shard.size() != shadow_ray_sums.size() || light_ranges[k].end > blocks.count())
@@ -65,16 +57,16 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
             if (i < shard.size()) // empty if the light of the sources was distributed before
                 shadow_ray_sums[i] = shard[i];
         LineCounts shard_counts(patches);
-        visit_inner(*shards[k], "fresh counts", shard_counts);
+        shards[k]->object("fresh counts", shard_counts);
         counts.add(std::move(shard_counts), threads);
     }
     const Archive::Inner inner(sum, "balanced reuse");
     ShardRange whole = union_of(light_ranges);
-    visit_inner(sum, "to lights", whole);
+    sum.object("to lights", whole);
     whole = union_of(hemisphere_ranges);
-    visit_inner(sum, "hemisphere", whole);
-    sum.growing_list<double>("sights", shadow_ray_sums);
-    visit_inner(sum, "fresh counts", counts);
+    sum.object("hemisphere", whole);
+    sum.optional_list<double>("sights", shadow_ray_sums);
+    sum.object("fresh counts", counts);
 }
 
 /// Takes each row from the shard that refined it.
@@ -84,27 +76,17 @@ void join_rows(const std::vector<Archive*>& shards, std::uint32_t patches, Archi
     ExchangeEstimate shard{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     std::vector<ShardRange> ranges(shards.size());
     for (std::size_t k = 0; k < shards.size(); ++k) {
-        {
-            const Archive::Inner inner(*shards[k], "pair rays");
-            ranges[k].visit(*shards[k]);
-        }
-        const Archive::Inner inner(*shards[k], "line reuse");
-        shard.exchange.visit<float>(*shards[k], "exchange");
-        shard.variance.visit<float>(*shards[k], "variance");
+        shards[k]->object("pair rays", ranges[k]);
+        shards[k]->object("line reuse", shard);
         const std::uint64_t end = std::min<std::uint64_t>(ranges[k].end, patches);
         for (auto i = static_cast<std::uint32_t>(std::min<std::uint64_t>(ranges[k].first, end)); i < end; ++i) {
             std::copy_n(shard.exchange.row(i), i + 1, all.exchange.row(i));
             std::copy_n(shard.variance.row(i), i + 1, all.variance.row(i));
         }
     }
-    {
-        const Archive::Inner inner(sum, "line reuse");
-        all.exchange.visit<float>(sum, "exchange");
-        all.variance.visit<float>(sum, "variance");
-    }
-    const Archive::Inner inner(sum, "pair rays");
+    sum.object("line reuse", all);
     ShardRange whole = union_of(ranges);
-    whole.visit(sum);
+    sum.object("pair rays", whole);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "radiosity/run/statistics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,14 +36,19 @@ void Solution::visit(Archive& archive, std::uint32_t patches)
     relative_standard_error = error >= 0.0 ? std::optional<double>(error) : std::nullopt;
 }
 
-namespace {
-
-double squared(double x)
+void add(const Solution& part, double share, Solution& sum)
 {
-    return x * x;
+    for (std::size_t i = 0; i < sum.radiosity.size(); ++i) {
+        sum.radiosity[i] += share * part.radiosity[i];
+        sum.unshot[i] += share * part.unshot[i];
+    }
+    add(part.balance, share, sum.balance);
+    sum.local_lines += part.local_lines;
+    sum.global_lines += part.global_lines;
+    sum.global_lines_cast += part.global_lines_cast;
+    sum.all_lines += part.all_lines;
+    sum.by_particles = sum.by_particles || part.by_particles;
 }
-
-} // namespace
 
 Solution combined(const Scene& scene, const std::vector<Solution>& parts)
 {
@@ -61,24 +65,15 @@ Solution combined(const Scene& scene, const std::vector<Solution>& parts)
     sum.unshot.resize(scene.patch_count());
     sum.shot_passes = parts[0].shot_passes;
     sum.replicates = parts[0].replicates;
-    sum.by_particles = std::any_of(parts.begin(), parts.end(), [](const Solution& part) { return part.by_particles; });
     std::vector<Rgb> variance(all_have_errors ? scene.patch_count() : 0);
     for (const Solution& part : parts) {
         const double share = static_cast<double>(part.all_lines) / lines;
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-            sum.radiosity[i] += share * part.radiosity[i];
-            sum.unshot[i] += share * part.unshot[i];
-        }
+        add(part, share, sum);
         for (std::size_t i = 0; i < variance.size(); ++i)
-            variance[i] += squared(share) * (part.standard_error[i] * part.standard_error[i]);
-        add(part.balance, share, sum.balance);
-        sum.local_lines += part.local_lines;
-        sum.global_lines += part.global_lines;
-        sum.global_lines_cast += part.global_lines_cast;
-        sum.all_lines += part.all_lines;
+            variance[i] += (share * share) * (part.standard_error[i] * part.standard_error[i]);
     }
     for (const Rgb& v : variance)
-        sum.standard_error.push_back({std::sqrt(v.r), std::sqrt(v.g), std::sqrt(v.b)});
+        sum.standard_error.push_back(square_root(v));
     if (all_have_errors)
         sum.relative_standard_error =
             std::sqrt(expected_relative_square(scene.weights(), sum.radiosity, sum.standard_error));

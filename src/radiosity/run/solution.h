@@ -44,6 +44,10 @@ struct Solution
     void visit(Archive& archive, std::uint32_t patches);
 };
 
+/// Adds a part of a mean: `share` [1] times its powers per patch and its balance, and its numbers of lines. The lists
+/// of `sum` must have an element per patch.
+void add(const Solution& part, double share, Solution& sum);
+
 /// The mean of independent solutions of one scene, weighted by their lines (all_lines); its numbers of lines are the
 /// sums of theirs. It has standard errors if all parts have them; shot_passes and replicates are those of the first
 /// part. `parts` must not be empty.

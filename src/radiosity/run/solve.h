@@ -4,9 +4,10 @@
 #include "radiosity/reuse/gathered_light.h"
 #include "radiosity/run/solution.h"
 #include "radiosity/run/solve_options.h"
-#include "transport/exchange/unoccluded_exchange.h"
+#include "transport/exchange/pair_counts.h"
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -22,8 +23,9 @@ using ProgressCallback = std::function<void(double done)>;
 struct Preparation
 {
     std::optional<double> ratio; ///< N_l / N_g, local lines per global line, for methods that shoot first
-    /// For the method `reuse` with a table of all pairs of patches.
-    std::shared_ptr<const UnoccludedExchange> unoccluded;
+    /// [m^2] For the method `reuse` with a table of all pairs of patches: unoccluded_exchange(), computed on first use,
+    /// so that lines can be cast before it takes memory.
+    std::shared_future<PairMatrix<float>> unoccluded;
     std::shared_ptr<const SceneLights> lights; ///< for the method `reuse` without a table
 };
 

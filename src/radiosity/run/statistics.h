@@ -2,7 +2,6 @@
 
 #include "scene/rgb.h"
 
-#include <cmath>
 #include <vector>
 
 namespace multipath {
@@ -26,44 +25,30 @@ ErrorMeasure measure_error(const std::vector<double>& areas, const std::vector<R
 double expected_relative_square(const std::vector<double>& areas, const std::vector<Rgb>& estimate,
                                 const std::vector<Rgb>& standard_error);
 
-/// Mean of successive samples, and sum of their squared deviations from the mean, updated without cancellation (Welford
-/// 1962). Value is double, or Rgb for moments of each channel.
+/// Mean of independent samples with its standard error, updated without cancellation (Welford 1962). Value is double,
+/// or Rgb for each channel.
 template <class Value>
-struct Moments
-{
-    Value mean{};
-    Value squares{}; ///< sum of the squared deviations
-};
-
-/// The moments after one more sample, which is sample number `count` = 1, 2, ...
-template <class Value>
-Moments<Value> with_sample(Moments<Value> moments, const Value& sample, double count)
-{
-    const Value before = sample - moments.mean;
-    moments.mean += (1.0 / count) * before;
-    moments.squares += before * (sample - moments.mean);
-    return moments;
-}
-
-/// Standard error of the mean of `count` >= 2 independent samples. `squares`: sum of their squared deviations.
-inline double standard_error_of_mean(double squares, double count)
-{
-    return std::sqrt(1.0 / (count * (count - 1.0)) * squares);
-}
-
-/// Mean of independent samples, with its standard error.
-class RunningMean
+class MeanOf
 {
 public:
-    void add(double sample) { moments_ = with_sample(moments_, sample, ++count_); }
-    double mean() const { return moments_.mean; } ///< 0 without samples
+    void add(const Value& sample)
+    {
+        count_ += 1.0;
+        const Value before = sample - mean_;
+        mean_ += (1.0 / count_) * before;
+        squares_ += before * (sample - mean_);
+    }
+    Value mean() const { return mean_; } ///< 0 without samples
     /// Needs two samples or more.
-    double standard_error() const { return standard_error_of_mean(moments_.squares, count_); }
+    Value standard_error() const { return square_root(1.0 / (count_ * (count_ - 1.0)) * squares_); }
 
 private:
-    Moments<double> moments_;
     double count_ = 0.0;
+    Value mean_{};
+    Value squares_{}; ///< sum of the squared deviations from the mean
 };
+
+using RunningMean = MeanOf<double>;
 
 /// P(|T| > t), the probability of both tails of Student's distribution with `degrees` >= 1 degrees of freedom, for
 /// t >= 0 (Abramowitz and Stegun, 26.7.3 and 26.7.4).

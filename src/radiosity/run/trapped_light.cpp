@@ -27,31 +27,28 @@ unsigned channels_of(Rgb colour, double least)
     return (colour.r >= least ? 1u : 0u) | (colour.g >= least ? 2u : 0u) | (colour.b >= least ? 4u : 0u);
 }
 
-unsigned white_channels(const Scene& scene, std::uint32_t patch)
-{
-    return channels_of(scene.reflectance(patch), 1.0);
-}
-
-/// A source patch for each particle, spread evenly over all source patches; empty without sources.
-std::vector<std::uint32_t> starting_patches(const Scene& scene)
-{
-    constexpr std::size_t particles = 4096;
-    std::vector<std::uint32_t> sources;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (scene.first_light(i) != Rgb{})
-            sources.push_back(i);
-    std::vector<std::uint32_t> starts(sources.empty() ? 0 : particles);
-    for (std::size_t k = 0; k < starts.size(); ++k)
-        starts[k] = sources[k * sources.size() / particles];
-    return starts;
-}
-
 struct Particle
 {
     std::uint64_t number;
     std::uint32_t at;  ///< patch
     unsigned channels; ///< bits of the channels in which nothing has been absorbed yet
 };
+
+/// Particles that start spread evenly over all source patches; none without sources.
+std::vector<Particle> starting_particles(const Scene& scene)
+{
+    constexpr std::size_t particles = 4096;
+    std::vector<std::uint32_t> sources;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.first_light(i) != Rgb{})
+            sources.push_back(i);
+    std::vector<Particle> result;
+    for (std::size_t k = 0; k < particles && !sources.empty(); ++k) {
+        const std::uint32_t source = sources[k * sources.size() / particles];
+        result.push_back({k, source, channels_of(scene.first_light(source), 1e-300)});
+    }
+    return result;
+}
 
 /// Traces one more reflection of every particle, and removes those that have lost light in all channels.
 void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vector<Particle>& particles)
@@ -69,7 +66,8 @@ void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vecto
     std::size_t left = 0;
     for (std::size_t k = 0; k < particles.size(); ++k) {
         const std::uint32_t where = rays.receivers[k];
-        const unsigned channels = Segment::is_patch(where) ? particles[k].channels & white_channels(scene, where) : 0u;
+        const unsigned channels =
+            Segment::is_patch(where) ? particles[k].channels & channels_of(scene.reflectance(where), 1.0) : 0u;
         if (channels != 0u)
             particles[left++] = {particles[k].number, where, channels};
     }
@@ -93,9 +91,7 @@ std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
     const auto reflects_all = [](const Material& material) { return channels_of(material.reflectance, 1.0) != 0u; };
     if (std::none_of(scene.materials().begin(), scene.materials().end(), reflects_all))
         return std::nullopt;
-    std::vector<Particle> particles;
-    for (const std::uint32_t start : starting_patches(scene))
-        particles.push_back({particles.size(), start, channels_of(scene.first_light(start), 1e-300)});
+    std::vector<Particle> particles = starting_particles(scene);
     RayBlock rays;
     for (std::uint64_t depth = 0; depth < endless_reflections && !particles.empty(); ++depth) {
         reflect(scene, depth, rays, particles);

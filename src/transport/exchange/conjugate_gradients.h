@@ -13,17 +13,6 @@
 
 namespace multipath {
 
-/// True if a <= b; for colours, in all channels.
-inline bool at_most(double a, double b)
-{
-    return a <= b;
-}
-
-inline bool at_most(Rgb a, Rgb b)
-{
-    return a.r <= b.r && a.g <= b.g && a.b <= b.b;
-}
-
 /// Inner product of two vectors of equal size; for colours, one in each channel.
 template <class Value>
 Value dot(const std::vector<Value>& a, const std::vector<Value>& b)

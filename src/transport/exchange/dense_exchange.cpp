@@ -12,8 +12,7 @@ DenseExchange::DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses loss
                              int threads)
     : pairs_(pairs), losses_(std::move(losses)), row_area_(std::move(row_area)), self_exchange_(row_area_)
 {
-    const std::vector<double> ones(size(), 1.0);
-    const std::vector<double> sums = symmetric_product(pairs_, {ones}, threads)[0];
+    const std::vector<double> sums = row_sums(pairs_, threads);
     for (std::uint32_t i = 0; i < size(); ++i)
         self_exchange_[i] -= sums[i] + losses_.escaping[i] + losses_.behind[i];
 }
@@ -64,21 +63,20 @@ Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vect
 
 } // namespace
 
-ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
-                          const std::vector<double>& sum_variance, int threads)
+std::vector<double> reconcile(ExchangeEstimate& estimate, const std::vector<double>& wanted,
+                              const std::vector<double>& wanted_variance, int threads)
 {
     PairMatrix<float>& exchange = estimate.exchange;
     const PairMatrix<float>& variance = estimate.variance;
     const std::uint32_t n = exchange.size();
-    const Vector ones(n, 1.0);
-    const Vector sums = symmetric_product(exchange, {ones}, threads)[0];
-    Vector diagonal = symmetric_product(variance, {ones}, threads)[0];
+    const Vector sums = row_sums(exchange, threads);
+    Vector diagonal = row_sums(variance, threads);
     Vector deficit(n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const bool can_change = diagonal[i] + sum_variance[i] > 0.0;
-        deficit[i] = can_change ? row_sums[i] - sums[i] : 0.0;
+        const bool can_change = diagonal[i] + wanted_variance[i] > 0.0;
+        deficit[i] = can_change ? wanted[i] - sums[i] : 0.0;
         // A tiny addition avoids division by zero.
-        diagonal[i] += sum_variance[i] + 1e-14 * row_sums[i] * row_sums[i] + 1e-300;
+        diagonal[i] += wanted_variance[i] + 1e-14 * wanted[i] * wanted[i] + 1e-300;
     }
     const Vector multiplier = solve(variance, diagonal, deficit, threads);
 
@@ -91,10 +89,10 @@ ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& 
                 row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
         }
     });
-    ClosedEstimate result{std::move(estimate), sum_variance};
+    Vector residual = wanted_variance;
     for (std::uint32_t i = 0; i < n; ++i)
-        result.sum_residual[i] *= multiplier[i];
-    return result;
+        residual[i] *= multiplier[i];
+    return residual;
 }
 
 } // namespace multipath

@@ -38,21 +38,14 @@ private:
     std::vector<double> self_exchange_;
 };
 
-/// Exchange areas after least-squares closure.
-struct ClosedEstimate : ExchangeEstimate
-{
-    /// [m^2] per row: the wanted sum minus the sum of the changed row, which estimates the error of the wanted sum. 0
-    /// for a wanted sum without variance.
-    std::vector<double> sum_residual;
-};
-
 /// Enforces closure by least squares ((R3) in docs/equations.md), a smoothing of exchange areas as in Larsen and Howell
-/// (1986). The wanted sum of row i is row_sums[i] [m^2], the area of the patch minus its losses. Among all symmetric
-/// changes that give the rows their wanted sums, finds the one with the smallest sum of squares, weighted by the
-/// inverse variances. About 1e-4 of the differences between wanted and present sums remains. A wanted sum with
-/// sum_variance[i] > 0 [m^4] is itself an estimate and takes its part of the change. Pairs of variance 0 keep their
-/// values; a row that consists of such pairs does not get its wanted sum.
-ClosedEstimate reconciled(ExchangeEstimate estimate, const std::vector<double>& row_sums,
-                          const std::vector<double>& sum_variance, int threads);
+/// (1986). The sum wanted of row i is wanted[i] [m^2], the area of the patch minus its losses. Among all symmetric
+/// changes that give the rows these sums, makes the one with the smallest sum of squares, weighted by the inverse
+/// variances. About 1e-4 of the differences between wanted and present sums remains. A wanted sum with
+/// wanted_variance[i] > 0 [m^4] is itself an estimate and takes its part of the change. Pairs of variance 0 keep their
+/// values; a row that consists of such pairs does not get its wanted sum. Returns for each row the wanted sum minus the
+/// sum of the changed row [m^2], which estimates the error of the wanted sum; 0 for one without variance.
+std::vector<double> reconcile(ExchangeEstimate& estimate, const std::vector<double>& wanted,
+                              const std::vector<double>& wanted_variance, int threads);
 
 } // namespace multipath

@@ -43,14 +43,6 @@ PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells)
     return blocks;
 }
 
-double block_count(const Scene& scene, std::uint32_t cells)
-{
-    double count = 0.0;
-    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
-        count += blocks_in_surface(scene.tessellation(surface), cells);
-    return (scene.two_sided() ? 2.0 : 1.0) * count;
-}
-
 PatchBlocks surface_blocks(const Scene& scene)
 {
     return patch_blocks(scene, std::numeric_limits<std::uint32_t>::max());
@@ -107,51 +99,29 @@ std::vector<std::uint32_t> parent_blocks(const PatchBlocks& fine, const PatchBlo
     return parent;
 }
 
-/// The patches first ... end - 1 of one side of a surface.
-struct PatchRange
-{
-    std::uint32_t first;
-    std::uint32_t end;
-};
-
-/// The patches of each side.
-std::vector<PatchRange> sides(const PatchBlocks& surfaces)
-{
-    std::vector<PatchRange> ranges(surfaces.count);
-    for (std::uint32_t patch = 0; patch < surfaces.block_of.size(); ++patch) {
-        PatchRange& range = ranges[surfaces.block_of[patch]];
-        if (range.end == 0)
-            range.first = patch;
-        range.end = patch + 1;
-    }
-    return ranges;
-}
-
 /// Calls visit(i, j) for every patch i and all patches j of the sides before its own; patches of one side never see
 /// each other. Sides run in parallel.
 template <class Visit>
-void for_pairs_of_surfaces(const std::vector<PatchRange>& ranges, int threads, const Visit& visit)
+void for_pairs_of_surfaces(const PatchBlocks& sides, int threads, const Visit& visit)
 {
-    parallel_blocks(ranges.size(), threads, [&](std::uint64_t number) {
-        const PatchRange range = ranges[ranges.size() - 1 - number]; // long rows first
-        for (std::uint32_t i = range.first; i < range.end; ++i)
-            for (std::uint32_t j = 0; j < range.first; ++j)
+    const auto patches = static_cast<std::uint32_t>(sides.block_of.size());
+    std::vector<std::uint32_t> first(sides.count + std::size_t{1}, patches); // patch of every side
+    for (std::uint32_t i = patches; i-- > 0;)
+        first[sides.block_of[i]] = i;
+    parallel_blocks(sides.count, threads, [&](std::uint64_t number) {
+        const std::uint64_t side = sides.count - 1 - number; // long rows first
+        for (std::uint32_t i = first[side]; i < first[side + 1]; ++i)
+            for (std::uint32_t j = 0; j < first[side]; ++j)
                 visit(i, j);
     });
 }
 
-/// Adds the counts of the finer level to those of the coarser one.
-void add_counts(const BlockLevel& fine, BlockLevel& coarse)
-{
-    const std::vector<std::uint32_t> parent = parent_blocks(fine.blocks, coarse.blocks);
-    for (std::uint32_t a = 0; a < fine.blocks.count; ++a)
-        for (std::uint32_t b = 0; b <= a; ++b)
-            coarse.counts.at(parent[a], parent[b]) += fine.counts.at(a, b);
-}
-
 BlockLevel::BlockLevel(PatchBlocks patch_blocks, const BlockLevel& finer) : BlockLevel(std::move(patch_blocks))
 {
-    add_counts(finer, *this);
+    const std::vector<std::uint32_t> parent = parent_blocks(finer.blocks, blocks);
+    for (std::uint32_t a = 0; a < finer.blocks.count; ++a)
+        for (std::uint32_t b = 0; b <= a; ++b)
+            counts.at(parent[a], parent[b]) += finer.counts.at(a, b);
 }
 
 /// One block for all sides of surfaces that lines have joined with each other, directly or through others: what lies in
@@ -226,6 +196,15 @@ double trust(double lines_across)
     return square * square / (1.0 + square * square);
 }
 
+/// The number of blocks that patch_blocks(scene, cells) makes. A real number, like other estimated sizes.
+double block_count(const Scene& scene, std::uint32_t cells)
+{
+    double count = 0.0;
+    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
+        count += blocks_in_surface(scene.tessellation(surface), cells);
+    return (scene.two_sided() ? 2.0 : 1.0) * count;
+}
+
 } // namespace
 
 double estimation_bytes(const Scene& scene)
@@ -242,15 +221,15 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
 {
     const std::uint32_t n = scene.patch_count();
     BlockLevel fine(patch_blocks(scene, fine_cells));
-    const std::vector<PatchRange> ranges = sides(surface_blocks(scene));
-    for_pairs_of_surfaces(ranges, threads, [&](std::uint32_t i, std::uint32_t j) {
+    const PatchBlocks sides = surface_blocks(scene);
+    for_pairs_of_surfaces(sides, threads, [&](std::uint32_t i, std::uint32_t j) {
         const PairCount& count = counts.pairs.at(i, j);
         if (count.through > 0)
             fine.counts.at(fine.blocks.block_of[i], fine.blocks.block_of[j]) +=
                 {static_cast<double>(count.joined), static_cast<double>(count.through)};
     });
     const BlockLevel middle(patch_blocks(scene, middle_cells), fine);
-    const BlockLevel coarse(surface_blocks(scene), middle);
+    const BlockLevel coarse(sides, middle);
     const PairMatrix<double> share = shrunk_shares(fine, middle, coarse);
 
     std::vector<double> trusted(n);
@@ -258,7 +237,7 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
         trusted[i] = trust(scene.area(i) / crossing_area);
 
     ExchangeEstimate estimate{PairMatrix<float>(n), PairMatrix<float>(n)};
-    for_pairs_of_surfaces(ranges, threads, [&](std::uint32_t i, std::uint32_t j) {
+    for_pairs_of_surfaces(sides, threads, [&](std::uint32_t i, std::uint32_t j) {
         const double free_exchange = static_cast<double>(unoccluded.at(i, j));
         if (!(free_exchange > 0.0))
             return;

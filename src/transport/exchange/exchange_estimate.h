@@ -21,9 +21,6 @@ struct PatchBlocks
 /// Blocks of the grid that lie outside a triangle are counted, but empty.
 PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells);
 
-/// The number of blocks that patch_blocks(scene, cells) makes. A real number, like other estimated sizes.
-double block_count(const Scene& scene, std::uint32_t cells);
-
 /// One block for every side of a surface that has patches.
 PatchBlocks surface_blocks(const Scene& scene);
 
@@ -33,6 +30,12 @@ struct ExchangeEstimate
     PairMatrix<float> exchange; ///< [m^2]
     PairMatrix<float> variance; ///< [m^4] rough variance of each estimate; 0 for pairs without unoccluded exchange,
                                 ///< whose estimates are 0
+
+    void visit(Archive& archive) ///< for a checkpoint
+    {
+        exchange.visit<float>(archive, "exchange");
+        variance.visit<float>(archive, "variance");
+    }
 };
 
 /// [bytes] Working memory that estimate_exchange needs besides its arguments and its result.

@@ -3,8 +3,8 @@
 // rows from time to time.
 //
 // The rows are partitioned into up to 256 parts, each with a mutex. A thread sorts the ends of its lines by part and
-// adds them part by part; it leaves parts that another thread holds for last. The order of the threads does not change
-// the result: counts are integers, and rows are sorted.
+// adds them part by part. The order of the threads does not change the result: counts are integers, and rows are
+// sorted.
 
 #include "transport/exchange/line_counts.h"
 
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace multipath {
@@ -38,12 +39,7 @@ DigitOffsets offsets_of(const std::vector<std::uint64_t>& keys, int shift)
     DigitOffsets offsets{};
     for (const std::uint64_t key : keys)
         ++offsets[digit(key, shift)];
-    std::uint32_t begin = 0;
-    for (std::uint32_t& offset : offsets) {
-        const std::uint32_t count = offset;
-        offset = begin;
-        begin += count;
-    }
+    std::exclusive_scan(offsets.begin(), offsets.end(), offsets.begin(), std::uint32_t{0});
     return offsets;
 }
 
@@ -66,6 +62,8 @@ void sort_keys(std::vector<std::uint64_t>& keys, int bits)
 }
 
 namespace {
+
+constexpr int bits_of_parts = 8; // up to 256 parts, many times the threads, so that these rarely contend for one
 
 /// Number of bits that hold 0 ... count - 1.
 int bits_for(std::uint64_t count)
@@ -153,74 +151,37 @@ void CountRows::visit(Archive& archive)
         throw ArchiveError("the state is damaged: no such rows of counts");
 }
 
-namespace {
-
-constexpr std::uint32_t most_parts = 256; // many times the threads, so that these rarely contend for a part
-
-/// Bits of the number of patches per part, so that there are at most most_parts parts.
-int bits_of_part(std::uint32_t patches)
-{
-    int bits = 0;
-    while ((patches >> bits) >= most_parts)
-        ++bits;
-    return bits;
-}
-
-} // namespace
-
-LineCounts::LineCounts(std::uint32_t patches) : patches_(patches), part_bits_(bits_of_part(patches))
+LineCounts::LineCounts(std::uint32_t patches)
+    : patches_(patches), part_bits_(std::max(0, bits_for(patches + std::uint64_t{1}) - bits_of_parts))
 {
     const std::uint32_t rows = 1u << part_bits_;
     for (std::uint32_t first = 0; first < patches; first += rows)
         parts_.emplace_back(std::min(rows, patches - first), patches);
 }
 
-std::vector<LineCounts::LineEnd> LineCounts::line_ends(const std::vector<Segment>& segments)
-{
-    std::vector<LineEnd> ends;
-    ends.reserve(2 * segments.size());
-    for (const Segment& segment : segments) {
-        if (Segment::is_patch(segment.from))
-            ends.push_back({segment.from, segment.to});
-        if (Segment::is_patch(segment.to))
-            ends.push_back({segment.to, segment.from});
-    }
-    return ends;
-}
-
 void LineCounts::add(const std::vector<Segment>& segments)
 {
-    const std::vector<LineEnd> ends = line_ends(segments);
-    std::vector<std::size_t> end_of_part(parts_.size() + 1, 0);
-    for (const LineEnd& end : ends)
-        ++end_of_part[(end.patch >> part_bits_) + 1];
-    for (std::size_t p = 0; p < parts_.size(); ++p)
-        end_of_part[p + 1] += end_of_part[p];
-    std::vector<LineEnd> by_part(ends.size());
-    for (const LineEnd& end : ends)
-        by_part[end_of_part[end.patch >> part_bits_]++] = end; // advances from the begin of the part to its end
-
-    const auto add_to = [&](std::size_t p) {
-        add(by_part.data() + (p > 0 ? end_of_part[p - 1] : 0), by_part.data() + end_of_part[p], parts_[p]);
+    // Each segment in both directions, sorted by the part of the patch that it leaves (counting sort).
+    const auto for_ends = [&](const auto& take) {
+        for (const Segment& segment : segments) {
+            if (Segment::is_patch(segment.from))
+                take(segment.from >> part_bits_, segment);
+            if (Segment::is_patch(segment.to))
+                take(segment.to >> part_bits_, Segment{segment.to, segment.from});
+        }
     };
-    std::vector<std::size_t> busy;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-        const std::unique_lock<std::mutex> lock(parts_[p].mutex, std::try_to_lock);
-        if (lock.owns_lock())
-            add_to(p);
-        else
-            busy.push_back(p);
-    }
-    for (const std::size_t p : busy) {
-        const std::lock_guard<std::mutex> lock(parts_[p].mutex);
-        add_to(p);
-    }
-}
+    std::vector<std::size_t> end_of_part(parts_.size() + 1, 0);
+    for_ends([&](std::uint32_t p, const Segment&) { ++end_of_part[p + 1]; });
+    std::partial_sum(end_of_part.begin(), end_of_part.end(), end_of_part.begin());
+    std::vector<Segment> by_part(end_of_part.back());
+    for_ends([&](std::uint32_t p, const Segment& segment) { by_part[end_of_part[p]++] = segment; });
 
-void LineCounts::add(const LineEnd* first, const LineEnd* last, Part& part) const
-{
-    for (const LineEnd* end = first; end != last; ++end)
-        part.counts.add(row_in_part(end->patch), end->other);
+    const Segment* segment = by_part.data();
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+        const std::lock_guard<std::mutex> lock(parts_[p].mutex);
+        for (const Segment* const end = by_part.data() + end_of_part[p]; segment != end; ++segment)
+            parts_[p].counts.add(row_in_part(segment->from), segment->to);
+    }
 }
 
 void LineCounts::merge(int threads)
@@ -238,45 +199,9 @@ void LineCounts::add(LineCounts others, int threads)
 
 void LineCounts::visit(Archive& archive)
 {
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-        const Archive::Inner inner(archive, "part " + std::to_string(p));
-        parts_[p].counts.visit(archive);
-    }
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        archive.object("part " + std::to_string(p), parts_[p].counts);
 }
-
-namespace {
-
-/// A block of rays of several patches and the segments that they make, in reusable buffers.
-struct CountedRays
-{
-    RayBlock rays;
-    std::vector<Segment> segments;
-
-    /// Traces rays number first_ray ... first_ray + count - 1 of the allotment.
-    void trace(const Scene& scene, const Allotment& allotment, const Sequence& sequence, std::uint64_t first_item,
-               std::uint64_t first_ray, std::size_t count)
-    {
-        rays.items.resize(count);
-        rays.patches.resize(count);
-        sequence.generate(first_item + first_ray, rays.items);
-        std::uint32_t patch = allotment.patch_of(first_ray);
-        for (std::size_t k = 0; k < count; ++k) {
-            while (allotment.first_ray(patch + 1) <= first_ray + k)
-                ++patch;
-            rays.patches[k] = patch;
-        }
-        rays.trace(scene);
-        segments.clear();
-        const bool has_sky = scene.file().sky_surfaces > 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t end = rays.receivers[k];
-            const bool escapes = has_sky && Segment::is_patch(end) && scene.is_sky_patch(end);
-            segments.push_back({rays.patches[k], escapes ? Segment::outside : end});
-        }
-    }
-};
-
-} // namespace
 
 Blocks ray_blocks(const Allotment& rays)
 {
@@ -291,10 +216,30 @@ void count_rays(const Scene& scene, const Allotment& rays, const Sequence& seque
     constexpr std::uint64_t fewest_blocks_per_merge = 256;
     constexpr std::uint64_t merges_per_doubling = 8;
     const Blocks blocks = ray_blocks(rays);
+    const bool has_sky = scene.file().sky_surfaces > 0;
+    struct CountedRays
+    {
+        RayBlock rays;
+        std::vector<Segment> segments;
+    };
     BlockBuffers<CountedRays> buffers(run.threads);
     const auto trace = [&](std::uint64_t block, int slot) {
-        buffers[slot].trace(scene, rays, sequence, first_item, blocks.first(block), blocks.length(block));
-        counts.add(buffers[slot].segments);
+        auto& [traced, segments] = buffers[slot];
+        traced.items.resize(blocks.length(block));
+        sequence.generate(first_item + blocks.first(block), traced.items);
+        traced.patches.clear();
+        const auto append = [&patches = traced.patches](std::uint32_t patch, std::uint64_t, std::size_t count) {
+            patches.insert(patches.end(), count, patch);
+        };
+        rays.for_range(blocks.first(block), blocks.length(block), append);
+        traced.trace(scene);
+        segments.clear();
+        for (std::size_t k = 0; k < traced.patches.size(); ++k) {
+            const std::uint32_t end = traced.receivers[k];
+            const bool escapes = has_sky && Segment::is_patch(end) && scene.is_sky_patch(end);
+            segments.push_back({traced.patches[k], escapes ? Segment::outside : end});
+        }
+        counts.add(segments);
     };
     const auto report = [&](std::uint64_t block, int) { run.count_lines(blocks.length(block)); };
     while (range.next < range.end && !run.stopped()) {

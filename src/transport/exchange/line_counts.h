@@ -99,17 +99,8 @@ private:
         std::mutex mutex; ///< guards the counts while segments are added
         CountRows counts;
     };
-    /// A segment as it is counted in the row of `patch`, one of its ends; `other` is the opposite end.
-    struct LineEnd
-    {
-        std::uint32_t patch;
-        std::uint32_t other;
-    };
-
-    static std::vector<LineEnd> line_ends(const std::vector<Segment>& segments);
     const CountRows& part(std::uint32_t patch) const { return parts_[patch >> part_bits_].counts; }
     std::uint32_t row_in_part(std::uint32_t patch) const { return patch & ((1u << part_bits_) - 1); }
-    void add(const LineEnd* first, const LineEnd* last, Part& part) const;
 
     std::uint32_t patches_;
     int part_bits_; ///< log2 of the patches per part

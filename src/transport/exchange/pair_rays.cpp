@@ -2,14 +2,13 @@
 
 #include "base/elementary.h"
 #include "base/errors.h"
-#include "geometry/intersector/hit_lists.h"
-#include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "scene/scene.h"
 #include "transport/exchange/exchange_estimate.h"
+#include "transport/lines/shadow_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +108,11 @@ struct RowOfRays
     std::vector<Target> targets; ///< those that get any rays
 };
 
+double sum_of_products(Rgb a, Rgb b)
+{
+    return a.r * b.r + a.g * b.g + a.b * b.b;
+}
+
 /// Allots rays to pairs of patches so that the error (1) becomes as small as possible. row() is thread-safe, also while
 /// other rows of the estimate are being refined.
 class PairRayAllotment
@@ -117,23 +121,122 @@ public:
     /// The estimate must come from estimate_exchange with the same `crossing_area` [m^2]; `radiosity` [W/m^2] need only
     /// be roughly right. Keeps references to the estimate and to `unoccluded`.
     PairRayAllotment(const ExchangeEstimate& estimate, const Scene& scene, const PairMatrix<float>& unoccluded,
-                     double crossing_area, const std::vector<Rgb>& radiosity);
+                     double crossing_area, const std::vector<Rgb>& radiosity)
+        : estimate_(estimate), unoccluded_(unoccluded), crossing_area_(crossing_area)
+    {
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const Rgb rho = scene.reflectance(i);
+            receives_.push_back((1.0 / scene.area(i)) * (rho * rho));
+            sends_.push_back(radiosity[i] * radiosity[i]);
+        }
+    }
 
     /// Allots `rays` rays, before any row is refined. `seed`: of the rounding to whole rays.
-    void allot(std::uint64_t rays, std::uint64_t seed, int threads);
+    void allot(std::uint64_t rays, std::uint64_t seed, int threads)
+    {
+        const std::uint32_t n = estimate_.exchange.size();
+        level_ = water_level(rays, threads);
+        std::vector<double> row_sums(n);
+        parallel_blocks(n, threads, [&](std::uint64_t number) {
+            const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
+            for (const double x : deserved_rays(i))
+                row_sums[i] += x;
+        });
+        rate_ = static_cast<double>(rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
+        before_ = {bits_to_unit(random_bits(random_key(RandomStream::pair_rays, seed), 0))};
+        for (const double sum : row_sums)
+            before_.push_back(before_.back() + rate_ * sum);
+    }
 
     bool any() const { return level_ > 0.0; } ///< true if some pair gets rays
-    RowOfRays row(std::uint32_t i) const;
-    ShardRange rows_of(Shard shard) const; ///< the rows of a shard, with about equal numbers of rays for all shards
 
-    void visit(Archive& archive); ///< saves to or restores from a checkpoint
+    RowOfRays row(std::uint32_t i) const
+    {
+        const std::vector<double> deserved = deserved_rays(i);
+        RowOfRays row;
+        row.first_ray = row.end_ray = whole_part(before_[i]); // continues the running sum of the rows before
+        double sum = 0.0;
+        for (std::uint32_t j = 0; j < deserved.size(); ++j) {
+            sum += deserved[j];
+            const std::uint64_t end = whole_part(before_[i] + rate_ * sum);
+            if (end > row.end_ray)
+                row.targets.push_back({j, end - row.end_ray});
+            row.end_ray = end;
+        }
+        return row;
+    }
+
+    /// The rows of a shard, with about equal numbers of rays for all shards.
+    ShardRange rows_of(Shard shard) const
+    {
+        const std::uint64_t n = before_.size() - 1;
+        const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
+            if (number == 0 || number == shard.of)
+                return number == 0 ? 0 : n;
+            const double part = static_cast<double>(number) / static_cast<double>(shard.of);
+            const double rays = before_.front() + part * (before_.back() - before_.front());
+            const auto row = std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin();
+            return std::min(n, static_cast<std::uint64_t>(row));
+        };
+        const std::uint64_t first = first_row(shard.number);
+        return {n, first, first, first_row(shard.number + 1), shard.of};
+    }
+
+    void visit(Archive& archive) ///< saves to or restores from a checkpoint
+    {
+        archive.value<double>("fill level", level_);
+        archive.value<double>("rays per deserved ray", rate_);
+        archive.growing_list<double>("rays before", before_);
+        if (before_.size() != std::size_t{estimate_.exchange.size()} + 1)
+            throw ArchiveError("the state is damaged: no such rows");
+    }
 
 private:
-    double importance(std::uint32_t i, std::uint32_t j, double spread) const;
+    /// Calls visit(j, importance, lines) for the pairs (i, j < i) whose exchange is uncertain. `lines` is the expected
+    /// number of global lines through the pair, from which its estimate comes.
     template <class Visit>
-    void for_uncertain_pairs(std::uint32_t i, const Visit& visit) const;
-    double water_level(std::uint64_t rays, int threads) const;
-    std::vector<double> deserved_rays(std::uint32_t i) const;
+    void for_uncertain_pairs(std::uint32_t i, const Visit& visit) const
+    {
+        const float* variance = estimate_.variance.row(i);
+        const float* free_exchange = unoccluded_.row(i);
+        for (std::uint32_t j = 0; j < i; ++j)
+            if (variance[j] > 0.0f) {
+                const double lines = static_cast<double>(free_exchange[j]) / crossing_area_;
+                const double spread = static_cast<double>(variance[j]) * lines; // variance by a single ray [m^4]
+                const double importance = std::sqrt(
+                    spread * (sum_of_products(receives_[i], sends_[j]) + sum_of_products(receives_[j], sends_[i])));
+                if (importance > 0.0)
+                    visit(j, importance, lines);
+            }
+    }
+
+    double water_level(std::uint64_t rays, int threads) const
+    {
+        constexpr std::uint32_t parts = 32; // added in order: the same bits for any number of threads
+        const std::uint32_t n = estimate_.exchange.size();
+        std::vector<WaterFilling> levels(parts);
+        parallel_blocks(parts, threads, [&](std::uint64_t part) {
+            const auto add = [&](std::uint32_t, double importance, double lines) {
+                levels[part].add(importance, lines);
+            };
+            for (auto i = static_cast<std::uint32_t>(part); i < n; i += parts)
+                for_uncertain_pairs(i, add);
+        });
+        WaterFilling all;
+        for (const WaterFilling& level : levels)
+            all.add(level);
+        return all.level(static_cast<double>(rays));
+    }
+
+    /// The rays that the water level gives to the pairs (i, j < i), not rounded.
+    std::vector<double> deserved_rays(std::uint32_t i) const
+    {
+        std::vector<double> row(i);
+        for_uncertain_pairs(i, [&](std::uint32_t j, double importance, double lines) {
+            row[j] = std::max(0.0, level_ * importance - lines);
+        });
+        return row;
+    }
 
     const ExchangeEstimate& estimate_;
     const PairMatrix<float>& unoccluded_;
@@ -144,127 +247,6 @@ private:
     double rate_ = 0.0;          ///< factor of all deserved rays that makes their sum exact
     std::vector<double> before_; ///< per row: expected rays of all rows before it; then the total
 };
-
-double sum_of_products(Rgb a, Rgb b)
-{
-    return a.r * b.r + a.g * b.g + a.b * b.b;
-}
-
-PairRayAllotment::PairRayAllotment(const ExchangeEstimate& estimate, const Scene& scene,
-                                   const PairMatrix<float>& unoccluded, double crossing_area,
-                                   const std::vector<Rgb>& radiosity)
-    : estimate_(estimate), unoccluded_(unoccluded), crossing_area_(crossing_area)
-{
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const Rgb rho = scene.reflectance(i);
-        receives_.push_back((1.0 / scene.area(i)) * (rho * rho));
-        sends_.push_back(radiosity[i] * radiosity[i]);
-    }
-}
-
-/// Importance of a pair. `spread` [m^4] is the variance of its exchange if estimated by a single ray.
-double PairRayAllotment::importance(std::uint32_t i, std::uint32_t j, double spread) const
-{
-    return std::sqrt(spread * (sum_of_products(receives_[i], sends_[j]) + sum_of_products(receives_[j], sends_[i])));
-}
-
-/// Calls visit(j, importance, lines) for the pairs (i, j < i) whose exchange is uncertain. `lines` is the expected
-/// number of global lines through the pair, from which its estimate comes.
-template <class Visit>
-void PairRayAllotment::for_uncertain_pairs(std::uint32_t i, const Visit& visit) const
-{
-    const float* variance = estimate_.variance.row(i);
-    const float* free_exchange = unoccluded_.row(i);
-    for (std::uint32_t j = 0; j < i; ++j)
-        if (variance[j] > 0.0f) {
-            const double lines = static_cast<double>(free_exchange[j]) / crossing_area_;
-            const double deserves = importance(i, j, static_cast<double>(variance[j]) * lines);
-            if (deserves > 0.0)
-                visit(j, deserves, lines);
-        }
-}
-
-double PairRayAllotment::water_level(std::uint64_t rays, int threads) const
-{
-    constexpr std::uint32_t parts = 32; // added in order: the same bits for any number of threads
-    const std::uint32_t n = estimate_.exchange.size();
-    std::vector<WaterFilling> levels(parts);
-    parallel_blocks(parts, threads, [&](std::uint64_t part) {
-        for (auto i = static_cast<std::uint32_t>(part); i < n; i += parts)
-            for_uncertain_pairs(
-                i, [&](std::uint32_t, double deserves, double lines) { levels[part].add(deserves, lines); });
-    });
-    WaterFilling all;
-    for (const WaterFilling& level : levels)
-        all.add(level);
-    return all.level(static_cast<double>(rays));
-}
-
-/// The rays that the water level gives to the pairs (i, j < i), not rounded.
-std::vector<double> PairRayAllotment::deserved_rays(std::uint32_t i) const
-{
-    std::vector<double> row(i);
-    for_uncertain_pairs(
-        i, [&](std::uint32_t j, double deserves, double lines) { row[j] = std::max(0.0, level_ * deserves - lines); });
-    return row;
-}
-
-void PairRayAllotment::allot(std::uint64_t rays, std::uint64_t seed, int threads)
-{
-    const std::uint32_t n = estimate_.exchange.size();
-    level_ = water_level(rays, threads);
-    std::vector<double> row_sums(n);
-    parallel_blocks(n, threads, [&](std::uint64_t number) {
-        const auto i = static_cast<std::uint32_t>(n - 1 - number); // long rows first
-        for (const double x : deserved_rays(i))
-            row_sums[i] += x;
-    });
-    rate_ = static_cast<double>(rays) / std::accumulate(row_sums.begin(), row_sums.end(), 0.0);
-    before_ = {bits_to_unit(random_bits(random_key(RandomStream::pair_rays, seed), 0))};
-    for (const double sum : row_sums)
-        before_.push_back(before_.back() + rate_ * sum);
-}
-
-RowOfRays PairRayAllotment::row(std::uint32_t i) const
-{
-    const std::vector<double> deserved = deserved_rays(i);
-    RowOfRays row;
-    SystematicRounding rounding(before_[i]); // continues the running sum of the rows before
-    row.first_ray = rounding.given();
-    double sum = 0.0;
-    for (std::uint32_t j = 0; j < deserved.size(); ++j) {
-        sum += deserved[j];
-        const std::uint64_t rays = rounding.up_to(before_[i] + rate_ * sum);
-        if (rays > 0)
-            row.targets.push_back({j, rays});
-    }
-    row.end_ray = rounding.given();
-    return row;
-}
-
-ShardRange PairRayAllotment::rows_of(Shard shard) const
-{
-    const std::uint64_t n = before_.size() - 1;
-    const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
-        if (number == 0 || number == shard.of)
-            return number == 0 ? 0 : n;
-        const double part = static_cast<double>(number) / static_cast<double>(shard.of);
-        const double rays = before_.front() + part * (before_.back() - before_.front());
-        const auto row = std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin();
-        return std::min(n, static_cast<std::uint64_t>(row));
-    };
-    const std::uint64_t first = first_row(shard.number);
-    return {n, first, first, first_row(shard.number + 1), shard.of};
-}
-
-void PairRayAllotment::visit(Archive& archive)
-{
-    archive.value<double>("fill level", level_);
-    archive.value<double>("rays per deserved ray", rate_);
-    archive.growing_list<double>("rays before", before_);
-    if (before_.size() != std::size_t{estimate_.exchange.size()} + 1)
-        throw ArchiveError("the state is damaged: no such rows");
-}
 
 /// The visibility of several pairs, by shadow rays that are traced together, in reusable buffers.
 class VisibilityBlock
@@ -279,15 +261,11 @@ public:
         for (std::uint64_t done = 0; done < rays; done += items_.size()) {
             items_.resize(std::min<std::size_t>(rays - done, most_rays - rays_.size()));
             sequence.generate(first_item + done, items_);
-            for (const Item& item : items_) {
-                const RayPair::Ray ray = pair.ray(item);
-                if (!(ray.weight > 0.0))
-                    continue;
-                surfaces_.push_back(pair.from_surface());
-                targets_.push_back(pair.to_surface());
-                rays_.push_back(ray.line);
-                weights_.push_back({ray.weight, pairs_.size() - 1});
-            }
+            for (const Item& item : items_)
+                if (const RayPair::Ray ray = pair.ray(item); ray.weight > 0.0) {
+                    rays_.add(pair.from_surface(), pair.to_surface(), ray.line, {pairs_.size() - 1, ray.weight});
+                    pairs_.back().all += ray.weight;
+                }
             if (rays_.size() == most_rays)
                 trace();
         }
@@ -314,35 +292,24 @@ private:
         double all = 0.0;  ///< sum of weights
         double free = 0.0; ///< that of unoccluded rays
     };
-    struct Weight
+    struct RayOfPair
     {
-        double weight;
         std::size_t pair;
+        double weight;
     };
 
     void trace()
     {
-        scene_.intersector().hits_on_targets(surfaces_.data(), targets_.data(), rays_.data(), rays_.size(), hits_);
-        for (std::size_t k = 0; k < rays_.size(); ++k) {
-            PairOfBlock& pair = pairs_[weights_[k].pair];
-            pair.all += weights_[k].weight;
-            if (hits_.is_hit(k) && hits_[k].front == pair.to_front)
-                pair.free += weights_[k].weight;
-        }
-        surfaces_.clear();
-        targets_.clear();
-        rays_.clear();
-        weights_.clear();
+        rays_.trace(scene_, [&](const RayOfPair& ray, const Hit& hit) {
+            if (hit.front == pairs_[ray.pair].to_front)
+                pairs_[ray.pair].free += ray.weight;
+        });
     }
 
     const Scene& scene_;
     std::vector<PairOfBlock> pairs_;
     std::vector<Item> items_;
-    std::vector<std::uint32_t> surfaces_;
-    std::vector<std::uint32_t> targets_; ///< surfaces
-    std::vector<Line> rays_;
-    std::vector<Weight> weights_;
-    FirstHits hits_;
+    ShadowRays<RayOfPair> rays_;
 };
 
 /// Combines the estimate of a pair with that of its rays, whose visible share is `share`. Each is weighted by its

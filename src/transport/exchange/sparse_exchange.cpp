@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace multipath {
 
@@ -40,50 +42,49 @@ struct LostLight // [W]
 } // namespace
 
 SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<double>& area,
-                               const std::vector<double>& density, std::vector<LossCounts> losses,
-                               const std::vector<std::uint32_t>& side, std::vector<std::uint32_t> sky,
-                               double unseen_rays, int threads)
+                               const std::vector<double>& cast, const std::vector<std::uint32_t>& side,
+                               std::vector<std::uint32_t> sky, double unseen_rays, int threads)
     : counts_(counts),
       area_(area),
       factors_(vector_with_capacity<Factors>(area.size())),
-      losses_(std::move(losses)),
+      cast_(cast),
       sky_(std::move(sky)),
       lost_rays_(large_vector<double>(area.size())),
       lost_(large_vector<double>(area.size())),
+      open_(large_vector<double>(area.size())),
       own_(large_vector<double>(area.size())),
       unseen_(large_vector<double>(area.size()))
 {
-    LossCounts all = {};
+    double all_escaped = 0.0;
+    double all_lost = 0.0;
     for (std::uint32_t i = 0; i < size(); ++i) {
         unit_ += area[i];
-        all.cast += losses_[i].cast;
-        all.escaped += losses_[i].escaped;
-        all.behind += losses_[i].behind;
+        all_escaped += static_cast<double>(counts.escaped(i));
+        all_lost += rays_lost(i);
     }
-    escaping_share_ = all.lost() > 0.0 ? all.escaped / all.lost() : 1.0;
-    for (const double d : density)
-        factors_.push_back({static_cast<float>(d * unit_), 1.0f});
-    if (all.lost() > 0.0)
+    for (std::uint32_t i = 0; i < size(); ++i)
+        factors_.push_back({static_cast<float>(cast[i] / area[i] * unit_), 1.0f});
+    if (all_lost > 0.0)
         find_spaces(side);
     std::vector<double> wanted = large_vector<double>(size()); // [m^2] of all rays of a patch
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         if (is_sky(i))
             return;
         const CountRow row = counts_.row(i);
-        lost_rays_[i] = quotient(losses_[i].lost(), losses_[i].cast) * density[i] * area[i];
+        lost_rays_[i] = quotient(rays_lost(i), cast[i]) * (cast[i] / area[i]) * area[i];
         const double rays = static_cast<double>(row.last - row.first) + lost_rays_[i];
         wanted[i] = area[i] * quotient(rays, rays + unseen_rays);
     });
     balance(wanted, threads);
     const std::vector<SideLosses> of_sides = losses_of_sides(side);
-    if (all.lost() > 0.0) {
+    if (all_lost > 0.0) {
         correct_losses(side, of_sides);
         balance(wanted, threads);
     }
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
         lost_[i] = lost(i);
         const double lacks = area_[i] - joined(i) - lost_[i];
-        const bool is_unknown = density[i] == 0.0 && counts_.row(i).first == counts_.row(i).last;
+        const bool is_unknown = cast[i] == 0.0 && counts_.row(i).first == counts_.row(i).last;
         const bool is_shared = unseen_rays > 0.0 || (loses(i) && !is_unknown);
         if (lacks <= rounding_of_rows * area_[i] || is_sky(i) || !is_shared) {
             own_[i] = lacks;
@@ -99,11 +100,22 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
     }
     if (!space_.empty())
         share_deficits();
+    const double share_of_all = all_lost > 0.0 ? all_escaped / all_lost : 1.0;
+    const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
+        const double rays = rays_lost(i);
+        open_[i] = lost_[i] * (rays > 0.0 ? static_cast<double>(counts_.escaped(i)) / rays : share_of_all);
+        return open_[i];
+    });
     for (const std::uint32_t i : sky_)
         sky_area_ += area[i];
-    const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return open(i); });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
+}
+
+/// Rays of the patch that met no patch.
+double SparseExchange::rays_lost(std::uint32_t patch) const
+{
+    return static_cast<double>(counts_.escaped(patch)) + static_cast<double>(counts_.behind(patch));
 }
 
 void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
@@ -120,7 +132,7 @@ void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
     space_ = spaces.roots();
     loses_.assign(size(), false);
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (losses_[i].lost() > 0.0)
+        if (rays_lost(i) > 0.0)
             loses_[space_[i]] = true;
 }
 
@@ -128,8 +140,12 @@ std::vector<SparseExchange::SideLosses> SparseExchange::losses_of_sides(const st
 {
     std::vector<SideLosses> sides(size() == 0 ? 0 : *std::max_element(side.begin(), side.end()) + std::size_t{1});
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (losses_[i].cast > 0.0)
-            sides[side[i]] += {area_[i], area_[i] * losses_[i].lost() / losses_[i].cast, losses_[i].lost()};
+        if (cast_[i] > 0.0) {
+            SideLosses& own = sides[side[i]];
+            own.area += area_[i];
+            own.lost += area_[i] * rays_lost(i) / cast_[i];
+            own.rays += rays_lost(i);
+        }
     return sides;
 }
 
@@ -146,7 +162,7 @@ void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, cons
     for (std::size_t k = 0; k < of_sides.size(); ++k)
         expected[k] = of_sides[k].lost;
     for (std::uint32_t i = 0; i < size(); ++i)
-        if (losses_[i].cast > 0.0) {
+        if (cast_[i] > 0.0) {
             lost_now[side[i]] += lost(i);
             expected[side[i]] -= of_sides[side[i]].share() * std::max(0.0, area_[i] - joined(i) - lost(i));
         }
@@ -183,13 +199,6 @@ std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
         if (unseen_[i] > 0.0)
             light[space_[i]] += (unseen_[i] / unseen_sum_[space_[i]]) * x[i];
     return light;
-}
-
-/// [m^2] Exchange area of a patch with the sky, or with the outside of the scene.
-double SparseExchange::open(std::uint32_t patch) const
-{
-    const LossCounts& losses = losses_[patch];
-    return lost_[patch] * (losses.lost() > 0.0 ? losses.escaped / losses.lost() : escaping_share_);
 }
 
 /// [m^2] Exchange area of patch i with all patches after step 1.
@@ -329,10 +338,10 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
     const Rgb sky = light_of_sky(x);
     const std::vector<Rgb> spread = spread_light(x);
     const Rgb escaped = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) {
-        y[i] += own_[i] * x[i] + open(i) * sky;
+        y[i] += own_[i] * x[i] + open_[i] * sky;
         if (unseen_[i] > 0.0)
             y[i] += unseen_[i] * spread[space_[i]];
-        return open(i) * x[i];
+        return open_[i] * x[i];
     });
     give_to_sky(escaped, y);
 }
@@ -367,8 +376,8 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         const double lost_ray = joined_ray > 0.0 ? std::min(of_own, most_of_joined * joined_ray) : of_own;
         sums.area += lost_[i];
         sums.squares += lost_[i] * lost_ray;
-        sums.light += open(i) * sky;
-        sums.squared += (open(i) * lost_ray) * sky;
+        sums.light += open_[i] * sky;
+        sums.squared += (open_[i] * lost_ray) * sky;
         if (!(sums.area > 0.0))
             return {};
         constexpr double most = 0.5; // of 1 / (n - 1): a patch of one or two rays has no other ones
@@ -381,7 +390,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         SentBack& own = senders[i];
         own = {(1.0 / sums.area) * (sent * (sums.squared - sums.squares * irradiance)), sent * irradiance, sent};
         const Rgb per_lost_area = own.even + lost_ray * own.own;
-        return {open(i) * (per_lost_area - lost_ray * (own.back * sky)), behind(i) * per_lost_area};
+        return {open_[i] * (per_lost_area - lost_ray * (own.back * sky)), behind(i) * per_lost_area};
     });
     Returns result{large_vector<Rgb>(size()), {}, lost.behind};
     parallel_numbers(size(), threads, [&](std::uint32_t i) {
@@ -398,26 +407,12 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
 
 double SparseExchange::lost_area() const
 {
-    double area = 0.0;
-    for (const double lost : lost_)
-        area += lost;
-    return area;
+    return std::accumulate(lost_.begin(), lost_.end(), 0.0);
 }
 
 double SparseExchange::self_exchange(std::uint32_t patch) const
 {
     return own_[patch] + (unseen_[patch] > 0.0 ? unseen_[patch] * unseen_[patch] / unseen_sum_[space_[patch]] : 0.0);
-}
-
-double SparseExchange::unseen_share() const
-{
-    double area = 0.0;
-    double unseen = 0.0;
-    for (std::uint32_t i = 0; i < size(); ++i) {
-        area += area_[i];
-        unseen += unseen_[i];
-    }
-    return quotient(unseen, area);
 }
 
 } // namespace multipath

@@ -25,7 +25,7 @@ namespace multipath {
 /// lead into a narrow gap. A space is the patches that rays join, directly or through others. In a space that loses
 /// rays, the part that the rays of the same side of the surface have lost is lost, and the rest is shared: G_ij grows
 /// by delta_i delta_j / sum of delta. So nothing gets into a space that no ray has entered. With tens of rays per patch
-/// this is a small part of the whole (unseen_share()). A deficit from rounding alone becomes self-exchange everywhere.
+/// this is a small part of the whole. A deficit from rounding alone becomes self-exchange everywhere.
 ///
 /// If the scene has a sky, all that escapes reaches it. Its patches cast no rays: what they exchange with the other
 /// patches is known from these, and the rest of their area is exchange with themselves. So the irradiance from a sky is
@@ -33,35 +33,23 @@ namespace multipath {
 class SparseExchange : public Exchange
 {
 public:
-    /// Rays that left a patch, and those of them that escaped or met a side without a patch.
-    struct LossCounts
-    {
-        double cast;
-        double escaped;
-        double behind;
-        double lost() const { return escaped + behind; }
-    };
-
-    /// Keeps a reference to the counts, which must be merged. `area` [m^2] is per patch, and so is `density`
-    /// [rays/m^2], the number of rays that left the patch over its area. `losses`, per patch, may leave out rays that
-    /// decided how many others the patch cast: with them the losses would be biased. `side` numbers, per patch, the
-    /// side of a surface that it is on. The patches `sky`, whose emission is uniform, are those of the sky; no ray may
-    /// start or count as ending there. `unseen_rays` is a pseudo-count: so many rays per patch, besides the counted
-    /// ones, are taken to have reached unknown patches. A positive number lets light get from every patch to every
-    /// other, however few rays there are, at the price of a bias.
-    SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& density,
-                   std::vector<LossCounts> losses, const std::vector<std::uint32_t>& side,
-                   std::vector<std::uint32_t> sky, double unseen_rays, int threads);
+    /// Keeps references to `cast` and to the counts, which must be merged. `area` [m^2] is per patch, and so is `cast`,
+    /// the number of rays that left the patch. `side` numbers, per patch, the side of a surface that it is on. The
+    /// patches `sky`, whose emission is uniform, are those of the sky; no ray may start or count as ending there.
+    /// `unseen_rays` is a pseudo-count: so many rays per patch, besides the counted ones, are taken to have reached
+    /// unknown patches. A positive number lets light get from every patch to every other, however few rays there are,
+    /// at the price of a bias.
+    SparseExchange(const LineCounts& counts, const std::vector<double>& area, const std::vector<double>& cast,
+                   const std::vector<std::uint32_t>& side, std::vector<std::uint32_t> sky, double unseen_rays,
+                   int threads);
 
     std::uint32_t size() const override { return counts_.size(); }
     void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
     double self_exchange(std::uint32_t patch) const override;
-    double escaping(std::uint32_t patch) const override { return sky_.empty() ? open(patch) : 0.0; }
-    double behind(std::uint32_t patch) const override { return std::max(0.0, lost_[patch] - open(patch)); }
+    double escaping(std::uint32_t patch) const override { return sky_.empty() ? open_[patch] : 0.0; }
+    double behind(std::uint32_t patch) const override { return std::max(0.0, lost_[patch] - open_[patch]); }
     double row_area(std::uint32_t patch) const override { return area_[patch]; }
 
-    /// [1] Fraction of the total area that step 2 adds: exchange that no ray has sampled.
-    double unseen_share() const;
     /// [m^2] Total exchange area with the sky or the outside of the scene, and with sides without a patch.
     double lost_area() const;
 
@@ -101,19 +89,12 @@ private:
         double area = 0.0; ///< [m^2] of its patches that cast rays
         double lost = 0.0; ///< [m^2] the area of each patch times the fraction of its rays that met no patch
         double rays = 0.0; ///< number of these
-        double share() const { return area > 0.0 ? lost / area : 0.0; } ///< [1]
-        SideLosses& operator+=(const SideLosses& other)
-        {
-            area += other.area;
-            lost += other.lost;
-            rays += other.rays;
-            return *this;
-        }
+        double share() const { return quotient(lost, area); } ///< [1]
     };
 
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
     bool loses(std::uint32_t patch) const { return !space_.empty() && loses_[space_[patch]]; }
-    double open(std::uint32_t patch) const;
+    double rays_lost(std::uint32_t patch) const;
     double joined(std::uint32_t i) const;
     double lost(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
@@ -130,12 +111,12 @@ private:
     std::vector<double> area_;
     double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
     std::vector<Factors> factors_;
-    std::vector<LossCounts> losses_;
+    const std::vector<double>& cast_;
     std::vector<std::uint32_t> sky_;
     double sky_area_ = 0.0;            ///< [m^2]
     std::vector<double> lost_rays_;    ///< rays of a patch that met no patch, as if all its rays had counted for that
     std::vector<double> lost_;         ///< [m^2] exchange area with no patch
-    double escaping_share_ = 1.0;      ///< [1] part of all lost rays that escaped
+    std::vector<double> open_;         ///< [m^2] the part of it with the sky or the outside of the scene
     std::vector<double> own_;          ///< [m^2] self-exchange: deficits from rounding and of closed spaces; of the sky
     std::vector<double> unseen_;       ///< [m^2] the part of the other deficits that is spread over the patches
     std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if no ray is lost

@@ -36,12 +36,6 @@ void multiply(const RowKernel& kernel, const float* row, std::uint32_t count, st
 } // namespace
 
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
-                                                   const std::vector<std::vector<double>>& vectors, int threads)
-{
-    return symmetric_product(matrix, vectors, threads, *available_row_kernels().front());
-}
-
-std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads,
                                                    const RowKernel& kernel)
 {
@@ -74,6 +68,11 @@ std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matr
             }
     });
     return products;
+}
+
+std::vector<double> row_sums(const PairMatrix<float>& matrix, int threads)
+{
+    return symmetric_product(matrix, {std::vector<double>(matrix.size(), 1.0)}, threads)[0];
 }
 
 } // namespace multipath

@@ -34,13 +34,12 @@ struct RowKernel
 std::vector<const RowKernel*> available_row_kernels();
 
 /// The products of a symmetric matrix with several vectors of matrix.size() elements, in the order of the vectors. Sums
-/// are added in a fixed order, so the bits do not depend on the number of threads.
-std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
-                                                   const std::vector<std::vector<double>>& vectors, int threads);
-
-/// The same with the given kernel. All kernels give the same bits.
+/// are added in a fixed order, so the bits do not depend on the number of threads, nor on the kernel.
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
                                                    const std::vector<std::vector<double>>& vectors, int threads,
-                                                   const RowKernel& kernel);
+                                                   const RowKernel& kernel = *available_row_kernels().front());
+
+/// The sum of each row of a symmetric matrix.
+std::vector<double> row_sums(const PairMatrix<float>& matrix, int threads);
 
 } // namespace multipath

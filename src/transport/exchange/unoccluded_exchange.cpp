@@ -174,11 +174,9 @@ bool in_one_plane(const Side& a, const Side& b, double touching)
 /// True if the sides may see each other: each has a point in front of the plane of the other, or they lie in one plane.
 bool may_exchange(const Side& a, const Side& b, double touching)
 {
-    if (a.surface == b.surface)
-        return false;
-    const HeightRange a_heights = heights(a.outline, b.whole.centre, b.whole.normal);
-    const HeightRange b_heights = heights(b.outline, a.whole.centre, a.whole.normal);
-    return in_one_plane(a, b, touching) || (a_heights.high > touching && b_heights.high > touching);
+    return a.surface != b.surface &&
+           (in_one_plane(a, b, touching) || (heights(a.outline, b.whole.centre, b.whole.normal).high > touching &&
+                                             heights(b.outline, a.whole.centre, a.whole.normal).high > touching));
 }
 
 /// One direction of a surface's grid.
@@ -219,7 +217,6 @@ struct PairSlots
     std::array<Stride, 2> a; ///< per axis of grid a
     std::array<Stride, 2> b; ///< per axis of grid b
     std::size_t count = 1;   ///< number of slots
-    bool any_shared = false; ///< true if the grids have a step in common
 };
 
 PairSlots slots_of(const std::array<GridAxis, 2>& a, const std::array<GridAxis, 2>& b)
@@ -235,7 +232,6 @@ PairSlots slots_of(const std::array<GridAxis, 2>& a, const std::array<GridAxis, 
             // For equal steps the difference of the indices matters, for opposite ones their sum.
             slots.a[x] = {slots.count, same};
             range += a[x].cells - 1;
-            slots.any_shared = true;
             break;
         }
         slots.count *= range;
@@ -282,10 +278,7 @@ public:
         const auto a_grid = grid_of(scene_, a.surface);
         const auto b_grid = grid_of(scene_, b.surface);
         const PairSlots slots = slots_of(a_grid, b_grid);
-        if (slots.any_shared)
-            fill_slots(a, numbers_of_cells(a_grid, slots.a), b, numbers_of_cells(b_grid, slots.b), slots.count);
-        else
-            fill_each(a, b);
+        fill_slots(a, numbers_of_cells(a_grid, slots.a), b, numbers_of_cells(b_grid, slots.b), slots.count);
         if (in_one_plane(a, b, touching_))
             keep_contacts(a, b);
     }
@@ -302,21 +295,6 @@ private:
         }
     }
 
-    float exchange(std::uint32_t i, std::uint32_t j) const
-    {
-        return static_cast<float>(exchange_area(pieces_[i], pieces_[j], touching_));
-    }
-
-    /// Computes every pair.
-    void fill_each(const Side& a, const Side& b)
-    {
-        for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
-            float* row = matrix_.row(i);
-            for (std::uint32_t j = b.first_patch; j < b.first_patch + b.patch_count; ++j)
-                row[j] = exchange(i, j);
-        }
-    }
-
     /// Computes one pair per slot and copies it to the others.
     void fill_slots(const Side& a, const std::vector<std::size_t>& a_number, const Side& b,
                     const std::vector<std::size_t>& b_number, std::size_t slot_count)
@@ -328,7 +306,8 @@ private:
             for (std::uint32_t j = 0; j < b.patch_count; ++j) {
                 float& value = known[a_number[i] + b_number[j]];
                 if (value == unknown)
-                    value = exchange(a.first_patch + i, b.first_patch + j);
+                    value = static_cast<float>(
+                        exchange_area(pieces_[a.first_patch + i], pieces_[b.first_patch + j], touching_));
                 row[j] = value;
             }
         }

@@ -4,7 +4,6 @@
 #include "transport/exchange/pair_counts.h"
 
 #include <cstdint>
-#include <mutex>
 
 namespace multipath {
 
@@ -18,26 +17,5 @@ double share_in_contact(const Scene& scene, std::uint32_t a, std::uint32_t b);
 /// docs/equations.md). It is zero for patches of the same surface, and for coincident patches
 /// where they are not in contact. The bits do not depend on the number of threads.
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads);
-
-/// The matrix of unoccluded_exchange, computed on first use, so that lines can be cast before it takes memory.
-/// Thread-safe. The scene must outlive this object.
-class UnoccludedExchange
-{
-public:
-    UnoccludedExchange(const Scene& scene, int threads) : scene_(scene), threads_(threads) {}
-
-    /// The matrix [m^2]; the first call computes it.
-    const PairMatrix<float>& table() const
-    {
-        std::call_once(found_, [this] { table_ = unoccluded_exchange(scene_, threads_); });
-        return table_;
-    }
-
-private:
-    const Scene& scene_;
-    int threads_;
-    mutable std::once_flag found_;
-    mutable PairMatrix<float> table_{0};
-};
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "transport/lines/depth_complexity.h"
 
 #include "geometry/intersector/intersector.h"
+#include "sampling/discrete_distribution.h"
 #include "sampling/halton.h"
 #include "transport/lines/local_rays.h"
 
@@ -63,24 +64,15 @@ double faces_along(const Scene& scene, std::uint32_t surface, const Line& ray)
 /// line if its start is covered. The sources are chosen in proportion to their power.
 double faces_on_source_rays(const Scene& scene)
 {
-    std::vector<std::uint32_t> sources;
-    std::vector<double> power_up_to; // [W] cumulative
-    double power = 0.0;
-    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
-        const double own = scene.surfaces()[s].area() * mean(scene.surface_material(s).emittance);
-        if (own > 0.0) {
-            sources.push_back(s);
-            power_up_to.push_back(power += own);
-        }
-    }
-    if (sources.empty())
+    DiscreteDistribution sources;
+    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+        sources.add(scene.surfaces()[s].area() * mean(scene.surface_material(s).emittance));
+    if (!(sources.total() > 0.0))
         return 0.0;
     double faces = 0.0;
     for (std::uint64_t k = 0; k < trial_rays; ++k) {
         const auto number = [k](std::uint64_t base) { return radical_inverse(base, k + 1); };
-        const double at = (static_cast<double>(k) + 0.5) / trial_rays * power;
-        const auto found = std::upper_bound(power_up_to.begin(), power_up_to.end() - 1, at) - power_up_to.begin();
-        const std::uint32_t source = sources[static_cast<std::size_t>(found)];
+        const auto source = static_cast<std::uint32_t>(sources.at((static_cast<double>(k) + 0.5) / trial_rays));
         const Line ray = local_line({source, scene.surfaces()[source]}, {number(2), number(3), number(5), number(7)});
         faces += faces_on(scene, source, ray.origin) + faces_along(scene, source, ray);
         const std::optional<Hit> hit = scene.intersector().closest_hit_from(source, ray);

@@ -33,15 +33,6 @@ Segment* write_segments(const Scene& scene, HitLists::List hits, Segment* out)
 
 } // namespace
 
-void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages)
-{
-    passages.resize(lists.hit_count());
-    Passage* next = passages.data();
-    for (std::size_t line = 0; line < lists.size(); ++line)
-        for (const Hit& hit : lists[line])
-            *next++ = passage_at(scene, hit);
-}
-
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments)
 {
     const std::size_t before = segments.size();

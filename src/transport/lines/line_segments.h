@@ -38,10 +38,6 @@ struct Passage
 
 Passage passage_at(const Scene& scene, const Hit& hit);
 
-/// Finds the passages of all hits of many lines, in the order of the lines and their hits. Replaces the contents of
-/// `passages`.
-void find_passages(const Scene& scene, const HitLists& lists, std::vector<Passage>& passages);
-
 /// Appends the segments of one line in order, given its hits in order. Segments that touch no patch are left out.
 void append_segments(const Scene& scene, HitLists::List hits, std::vector<Segment>& segments);
 

@@ -118,7 +118,7 @@ TEST_CASE("what rays of another colour cannot carry stays unshot")
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {red, green, black, black, black, black}).scene(1.0);
     PowerState state(scene);
     const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, 1, 1);
-    REQUIRE(ray_count(shots) == 1);
+    REQUIRE(rays_of(shots).rays() == 1);
     const Rgb sent = shots[0].power_per_ray;
     spend(scene, 0.0, shots, state);
     CHECK(power_balance(scene, state).unshot.r + sent.r == doctest::Approx(4.1));

@@ -123,7 +123,7 @@ TEST_CASE("the solution is the one of Gaussian elimination, for colours, black a
                 rho[i] = i % 3 == 0 ? Rgb{} : i % 5 == 0 ? Rgb{1, 1, 1} : rho[i];
             rho[1] = {0.0, 1.0, 0.5}; // black in one channel only
             const Field source = some_colours(20 + key, n);
-            const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 1e-9, 200, 2);
+            const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 2, 1e-9, 200);
             CHECK(solution.converged);
             check_solution(exchange, pairs, rho, source, solution.radiosity);
             for (std::uint32_t i = 0; i < n; i += 3)
@@ -139,7 +139,7 @@ TEST_CASE("in a closed cube of equal walls the radiosity is E / (1 - rho)")
     for (const double rho : {0.0, 0.3, 0.9, 0.999}) {
         CAPTURE(rho);
         const ExchangeSolution solution =
-            solve_exchange(closed(pairs, 1.0), grey(6, rho), grey(6, 2.0), grey(6, 2.0), 1e-12, 50, 1);
+            solve_exchange(closed(pairs, 1.0), grey(6, rho), grey(6, 2.0), grey(6, 2.0), 1, 1e-12, 50);
         CHECK(solution.converged);
         for (const Rgb b : solution.radiosity)
             CHECK(b.g == doctest::Approx(2.0 / (1.0 - rho)).epsilon(1e-10));
@@ -152,8 +152,8 @@ TEST_CASE("whatever its source, a cube of equal walls takes three steps")
 {
     const PairMatrix<float> pairs = cube();
     const Field source = {{1, 7, 0}, {2, 0, 0}, {0, 3, 1}, {5, 0, 0}, {1, 1, 0}, {0, 4, 0}};
-    CHECK(solve_exchange(closed(pairs, 1.0), grey(6, 0.99), source, source, 1e-6, 3, 1).converged);
-    CHECK_FALSE(solve_exchange(closed(pairs, 1.0), grey(6, 0.99), source, source, 1e-6, 2, 1).converged);
+    CHECK(solve_exchange(closed(pairs, 1.0), grey(6, 0.99), source, source, 1, 1e-6, 3).converged);
+    CHECK_FALSE(solve_exchange(closed(pairs, 1.0), grey(6, 0.99), source, source, 1, 1e-6, 2).converged);
 }
 
 // One wall is black and takes what the five white ones are lit with.
@@ -165,7 +165,7 @@ TEST_CASE("white walls end the light on the one that is not")
     rho[5] = {};
     Field source = grey(6, 0.0);
     source[0] = {1.0, 2.0, 3.0};
-    const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 1e-10, 100, 1);
+    const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 1, 1e-10, 100);
     CHECK(solution.converged);
     check_solution(exchange, pairs, rho, source, solution.radiosity);
     const Rgb irradiance = exchange.apply(solution.radiosity, 1)[5];
@@ -183,10 +183,10 @@ TEST_CASE("a patch that no line met keeps its source and leaves the rest alone")
     REQUIRE(exchange.row_area(4) == 0.0);
     const Field rho = some_colours(4, n);
     Field source = some_colours(5, n);
-    const Field radiosity = solve_exchange(exchange, rho, source, source, 1e-9, 200, 1).radiosity;
+    const Field radiosity = solve_exchange(exchange, rho, source, source, 1, 1e-9, 200).radiosity;
     CHECK(radiosity[4] == source[4]);
     source[4] = {100.0, 100.0, 100.0}; // meets nobody
-    const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 1e-9, 200, 1);
+    const ExchangeSolution solution = solve_exchange(exchange, rho, source, source, 1, 1e-9, 200);
     CHECK(solution.converged);
     for (std::uint32_t i = 0; i < n; ++i)
         if (i != 4)
@@ -200,7 +200,7 @@ TEST_CASE("an exchange too noisy for a solution to exist is reported")
     const auto converged = [](float pair, double row_area, Field source) {
         PairMatrix<float> pairs(2);
         pairs.at(1, 0) = pair;
-        return solve_exchange(closed(pairs, row_area), grey(2, 0.9), source, source, 1e-9, 50, 1).converged;
+        return solve_exchange(closed(pairs, row_area), grey(2, 0.9), source, source, 1, 1e-9, 50).converged;
     };
     const Field even = grey(2, 1.0);
     const Field uneven = {{1, 1, 1}, {0, 0, 0}};
@@ -224,7 +224,7 @@ TEST_CASE("strongly negative entries do not pass for a solution")
                 pairs.at(i, j) = 20.0f * (pairs.at(i, j) - 0.5f);
         const Field source = some_colours(key, 30);
         const ExchangeSolution solution =
-            solve_exchange(closed(pairs, 10.0), grey(30, 0.9), source, source, 1e-9, 500, 1);
+            solve_exchange(closed(pairs, 10.0), grey(30, 0.9), source, source, 1, 1e-9, 500);
         CHECK_FALSE(solution.converged);
     }
 }
@@ -239,11 +239,11 @@ TEST_CASE("a grey scene has equal bits in all channels, and any number of thread
         rho.push_back(grey(1, number(9, i))[0]);
         source.push_back(grey(1, number(10, i))[0]);
     }
-    const Field one = solve_exchange(exchange, rho, source, source, 1e-9, 200, 1).radiosity;
+    const Field one = solve_exchange(exchange, rho, source, source, 1, 1e-9, 200).radiosity;
     for (const Rgb b : one)
         CHECK((b.r == b.g && b.g == b.b));
-    CHECK(solve_exchange(exchange, rho, source, source, 1e-9, 200, 2).radiosity == one);
-    CHECK(solve_exchange(exchange, rho, source, source, 1e-9, 200, 7).radiosity == one);
+    CHECK(solve_exchange(exchange, rho, source, source, 2, 1e-9, 200).radiosity == one);
+    CHECK(solve_exchange(exchange, rho, source, source, 7, 1e-9, 200).radiosity == one);
 }
 
 TEST_CASE("a good first guess takes fewer steps, and the solution itself none")
@@ -255,11 +255,11 @@ TEST_CASE("a good first guess takes fewer steps, and the solution itself none")
     const Field source = some_colours(13, n);
     const auto steps_from = [&](const Field& guess) {
         int steps = 0;
-        while (steps < 100 && !solve_exchange(exchange, rho, source, guess, 1e-6, steps, 1).converged)
+        while (steps < 100 && !solve_exchange(exchange, rho, source, guess, 1, 1e-6, steps).converged)
             ++steps;
         return steps;
     };
-    const Field exact = solve_exchange(exchange, rho, source, source, 1e-12, 200, 1).radiosity;
+    const Field exact = solve_exchange(exchange, rho, source, source, 1, 1e-12, 200).radiosity;
     Field good = exact;
     for (std::uint32_t i = 0; i < n; ++i)
         good[i] = exact[i] + 1e-4 * (1.0 - 2.0 * number(14, i)) * (exact[i] - source[i]);

@@ -229,7 +229,7 @@ TEST_CASE("sums are pooled over the smallest group with enough rays")
     };
     const SurfaceTree tree(4, apart, 4.0, 1); // ((0 1) (2 3))
     const std::vector<RaySums> own = {{10, 10, 20, 40}, {1, 1, 5, 25}, {2, 2, 0, 0}, {1, 1, 1, 1}};
-    const std::vector<RaySums> found = pooled(tree, own, 4.0, 2);
+    const std::vector<RaySums> found = pooled(tree, own, 4.0, OwnRays::counted, 2);
     CHECK(found[0].value == 20.0);
     CHECK(found[1].value == 25.0); // with its neighbour
     CHECK(found[2].value == 26.0); // 3 rays with its neighbour are too few

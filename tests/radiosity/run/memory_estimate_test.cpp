@@ -23,9 +23,9 @@ TEST_CASE("pairs get what scene and light leave of the memory, and the table is 
     SolveOptions options;
     options.method = Method::reuse;
     options.memory = others + table;
-    CHECK((prepare(scene, options).unoccluded != nullptr));
+    CHECK(prepare(scene, options).unoccluded.valid());
     options.memory -= 1.0;
-    CHECK((prepare(scene, options).unoccluded == nullptr));
+    CHECK_FALSE(prepare(scene, options).unoccluded.valid());
 }
 
 TEST_CASE("the table's bytes count the pairs of surfaces where those are as many as patches")
@@ -52,13 +52,13 @@ TEST_CASE("no table is made where lines cross very many surfaces, or faces lie o
     const std::uint32_t grey = stack.grey(0.5, 1.0);
     for (int k = 0; k < 200; ++k)
         stack.rectangle({0, 1e-4 * k, 0}, {0, 0, 1}, {1, 0, 0}, grey);
-    CHECK((prepare(stack.scene(1.0), options).unoccluded == nullptr));
+    CHECK_FALSE(prepare(stack.scene(1.0), options).unoccluded.valid());
 
     pile.room({0, 0, 0}, {9, 9, 9}, pile.grey(0.5, 1.0));
-    CHECK((prepare(pile.scene(1.0), options).unoccluded != nullptr));
+    CHECK(prepare(pile.scene(1.0), options).unoccluded.valid());
     for (int k = 0; k < 100; ++k)
         pile.rectangle({4, 4, 4}, {0, 0, k % 2 == 0 ? 1.0 : 0.5}, {k % 2 == 0 ? 0.5 : 1.0, 0, 0}, 0);
-    CHECK((prepare(pile.scene(9.0), options).unoccluded == nullptr));
+    CHECK_FALSE(prepare(pile.scene(9.0), options).unoccluded.valid());
 }
 
 } // namespace memory_estimate_test

@@ -48,16 +48,16 @@ Solution part(std::uint64_t lines, double radiosity, double error)
 // Each of these stages is wrong in its own way: not solved, not finite, light from nowhere, an open balance.
 TEST_CASE("where a method finds no sound solution, particles carry the light")
 {
-    using Stages = std::vector<Stage>;
     MethodInfo info = *Method::reuse.operator->();
     info.prepare = nullptr;
     const Scene scene = coloured_room();
-    for (Stages (*stages)(const Run&) : std::initializer_list<Stages (*)(const Run&)>{
-             [](const Run&) { return Stages{[](Run& run) { throw NoSolution(run.scene.path()); }}; },
-             [](const Run&) { return Stages{[](Run& run) { run.state.incident[0] = grey(std::nan("")); }}; },
-             [](const Run&) { return Stages{[](Run& run) { run.state.emitted = 1.001 * run.state.emitted; }}; },
-             [](const Run&) { return Stages{[](Run& run) { run.state.escaped = grey(1.0); }}; }}) {
-        info.stages = stages;
+    for (const Stage stage : std::initializer_list<Stage>{
+             [](Run& run) { throw NoSolution(run.scene.path()); },
+             [](Run& run) { run.state.incident[0] = grey(std::nan("")); },
+             [](Run& run) { run.state.emitted = 1.001 * run.state.emitted; },
+             [](Run& run) { run.state.escaped = grey(1.0); },
+         }) {
+        info.stages = {stage};
         const SolveOptions options = random_lines(Method(&info), 10000, 3);
         const Solution found = solve(scene, options, silent);
         CHECK(found.by_particles);

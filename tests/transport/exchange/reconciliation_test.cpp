@@ -58,6 +58,14 @@ ExchangeEstimate even_estimate(std::uint32_t n, float exchange, float variance)
     return estimate;
 }
 
+/// The exchange after reconcile().
+PairMatrix<float> reconciled(ExchangeEstimate estimate, const std::vector<double>& wanted,
+                             const std::vector<double>& variance, int threads)
+{
+    reconcile(estimate, wanted, variance, threads);
+    return estimate.exchange;
+}
+
 double change(const ExchangeEstimate& before, const PairMatrix<float>& after, std::uint32_t i, std::uint32_t j)
 {
     return static_cast<double>(after.at(i, j)) - static_cast<double>(before.exchange.at(i, j));
@@ -79,7 +87,7 @@ TEST_CASE("afterwards every row has the sum that it must have")
             wanted[i] = before[i] * (0.9 + 0.2 * number(7, i));
             worst = std::max(worst, std::abs(wanted[i] - before[i]));
         }
-        const std::vector<double> after = row_sums(reconciled(estimate, wanted, none(n), 2).exchange);
+        const std::vector<double> after = row_sums(reconciled(estimate, wanted, none(n), 2));
         for (std::uint32_t i = 0; i < n; ++i)
             CHECK(std::abs(after[i] - wanted[i]) < 1e-3 * worst);
     }
@@ -89,7 +97,7 @@ TEST_CASE("certain pairs stay as they are, and the diagonal empty")
 {
     const std::uint32_t n = 20;
     const ExchangeEstimate estimate = some_estimate(1, n);
-    const PairMatrix<float> after = reconciled(estimate, std::vector<double>(n, 1.0), none(n), 2).exchange;
+    const PairMatrix<float> after = reconciled(estimate, std::vector<double>(n, 1.0), none(n), 2);
     int changed = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
         CHECK(after.at(i, i) == 0.0f);
@@ -112,7 +120,7 @@ TEST_CASE("the changes are the smallest by their variances")
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t j = 0; j < i; ++j)
             estimate.variance.at(i, j) = static_cast<float>(0.002 + 0.02 * number(5, 10 * i + j));
-    const PairMatrix<float> after = reconciled(estimate, {1.0, 0.8, 1.1, 0.9, 1.2}, none(n), 1).exchange;
+    const PairMatrix<float> after = reconciled(estimate, {1.0, 0.8, 1.1, 0.9, 1.2}, none(n), 1);
     const auto quotient = [&](std::uint32_t i, std::uint32_t j) {
         return change(estimate, after, i, j) / static_cast<double>(estimate.variance.at(i, j));
     };
@@ -137,7 +145,7 @@ TEST_CASE("the more uncertain pair changes more")
     ExchangeEstimate estimate = even_estimate(4, 0.25f, 0.001f);
     estimate.variance.at(0, 1) = 0.004f;
     estimate.variance.at(2, 3) = 0.004f;
-    const PairMatrix<float> after = reconciled(estimate, std::vector<double>(4, 0.9), none(4), 1).exchange;
+    const PairMatrix<float> after = reconciled(estimate, std::vector<double>(4, 0.9), none(4), 1);
     CHECK(change(estimate, after, 0, 1) == doctest::Approx(0.15 * 4.0 / 6.0).epsilon(1e-5));
     CHECK(change(estimate, after, 0, 2) == doctest::Approx(0.15 * 1.0 / 6.0).epsilon(1e-5));
 }
@@ -149,7 +157,7 @@ TEST_CASE("rows that are right already stay to the last bit")
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t j = 0; j < i; ++j) // few digits, so that the sums are exact in any order
             estimate.exchange.at(i, j) = std::round(1024.0f * estimate.exchange.at(i, j)) / 1024.0f;
-    const PairMatrix<float> after = reconciled(estimate, row_sums(estimate.exchange), none(n), 2).exchange;
+    const PairMatrix<float> after = reconciled(estimate, row_sums(estimate.exchange), none(n), 2);
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t j = 0; j < i; ++j)
             CHECK(after.at(i, j) == estimate.exchange.at(i, j));
@@ -163,7 +171,7 @@ TEST_CASE("an uncertain sum leaves its share of the lack where it is")
         const double v = 0.01;
         const ExchangeEstimate estimate = even_estimate(4, 0.25f, static_cast<float>(v));
         const PairMatrix<float> after =
-            reconciled(estimate, std::vector<double>(4, 1.05), std::vector<double>(4, s), 1).exchange;
+            reconciled(estimate, std::vector<double>(4, 1.05), std::vector<double>(4, s), 1);
         for (const double sum : row_sums(after))
             CHECK(sum == doctest::Approx(0.75 + 0.3 * 6.0 * v / (6.0 * v + s)).epsilon(1e-5));
     }
@@ -182,8 +190,7 @@ TEST_CASE("rows that are hard or impossible to mend do not spoil the others")
             estimate.exchange.at(5, j) = 0.0f;
             estimate.variance.at(5, j) = 0.0f;
         }
-        const std::vector<double> sums =
-            row_sums(reconciled(estimate, std::vector<double>(6, 1.0), none(6), 1).exchange);
+        const std::vector<double> sums = row_sums(reconciled(estimate, std::vector<double>(6, 1.0), none(6), 1));
         for (std::uint32_t i = 0; i < 4; ++i)
             CHECK(sums[i] == doctest::Approx(1.0).epsilon(1e-3));
         CHECK(sums[5] == 0.0);
@@ -197,7 +204,7 @@ TEST_CASE("uncertain sums that contradict each other are met halfway")
     for (const double s : {0.001, 0.01}) {
         CAPTURE(s);
         const ExchangeEstimate estimate = even_estimate(2, 0.5f, 0.01f);
-        const PairMatrix<float> after = reconciled(estimate, {0.6, 0.8}, {s, s}, 1).exchange;
+        const PairMatrix<float> after = reconciled(estimate, {0.6, 0.8}, {s, s}, 1);
         CHECK(change(estimate, after, 0, 1) == doctest::Approx(0.01 * 0.4 / (0.02 + s)).epsilon(1e-3));
     }
 }
@@ -207,9 +214,9 @@ TEST_CASE("every number of threads reconciles to the same bits")
     const std::uint32_t n = 200;
     const ExchangeEstimate estimate = some_estimate(2, n);
     const std::vector<double> wanted(n, 1.0);
-    const PairMatrix<float> one = reconciled(estimate, wanted, none(n), 1).exchange;
+    const PairMatrix<float> one = reconciled(estimate, wanted, none(n), 1);
     for (const int threads : {2, 7}) {
-        const PairMatrix<float> more = reconciled(estimate, wanted, none(n), threads).exchange;
+        const PairMatrix<float> more = reconciled(estimate, wanted, none(n), threads);
         CHECK(std::equal(one.row(0), one.row(n), more.row(0)));
     }
 }

@@ -26,16 +26,9 @@ std::vector<double> rays_of_patches(const Scene& scene, double rays)
 struct Counted
 {
     LineCounts counts;
-    std::vector<double> density; ///< [rays/m^2]
+    std::vector<double> cast; ///< rays that left each patch
 
-    std::vector<SparseExchange::LossCounts> losses(const Scene& scene) const
-    {
-        std::vector<SparseExchange::LossCounts> result;
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            result.push_back({density[i] * scene.area(i), static_cast<double>(counts.escaped(i)),
-                              static_cast<double>(counts.behind(i))});
-        return result;
-    }
+    double lost(std::uint32_t i) const { return static_cast<double>(counts.escaped(i) + counts.behind(i)); }
 };
 
 std::vector<std::uint32_t> sides(const Scene& scene)
@@ -53,7 +46,7 @@ Counted counted(const Scene& scene, const std::vector<double>& expected, std::ui
     ShardRange range = ShardRange::of(ray_blocks(rays).count(), {});
     count_rays(scene, rays, *make_sequence(seed == 0 ? "sobol" : "sobol-owen", seed), 0, range, {2}, result.counts);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        result.density.push_back(static_cast<double>(rays.rays_of(i)) / scene.area(i));
+        result.cast.push_back(static_cast<double>(rays.rays_of(i)));
     return result;
 }
 
@@ -87,8 +80,7 @@ TEST_CASE(
             CAPTURE(rays);
             CAPTURE(unseen_rays);
             const Counted all = counted(scene, rays);
-            const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {},
-                                          unseen_rays, 2);
+            const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, unseen_rays, 2);
             std::vector<Rgb> x;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
                 x.push_back({1.0, std::sin(i), 1.0 / (1.0 + i)});
@@ -115,8 +107,7 @@ TEST_CASE("with many rays a counted exchange is what the rays counted, and they 
 {
     const Scene scene = open_room();
     const Counted all = counted(scene, 3000.0);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
-    CHECK(exchange.unseen_share() < 1e-3);
+    const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
     double escaping = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         CHECK(exchange.behind(i) == 0.0);
@@ -132,8 +123,9 @@ TEST_CASE("with many rays a counted exchange is what the rays counted, and they 
         const CountRow row = all.counts.row(j);
         for (const std::uint32_t i : row) {
             const double rays = static_cast<double>(std::count(row.first, row.last, i));
-            CHECK(column[i].g ==
-                  doctest::Approx(rays / (all.density[j] + all.density[i])).epsilon(0.1).scale(1e-4 * scene.area(j)));
+            CHECK(column[i].g == doctest::Approx(rays / (all.cast[j] / scene.area(j) + all.cast[i] / scene.area(i)))
+                                     .epsilon(0.1)
+                                     .scale(1e-4 * scene.area(j)));
         }
     }
 }
@@ -142,8 +134,7 @@ TEST_CASE("patches that few rays join only with each other still exchange light 
 {
     const Scene scene = open_room();
     const Counted few = counted(scene, 0.3);
-    const SparseExchange exchange(few.counts, scene.areas(), few.density, few.losses(scene), sides(scene), {}, 1.0, 2);
-    CHECK(exchange.unseen_share() > 0.3);
+    const SparseExchange exchange(few.counts, scene.areas(), few.cast, sides(scene), {}, 1.0, 2);
     std::vector<Rgb> one(scene.patch_count());
     one[5] = {1.0, 1.0, 1.0};
     for (const Rgb y : exchange.apply(one, 2))
@@ -162,10 +153,15 @@ TEST_CASE("where no exchange fills all areas, no patch exchanges more than its o
         builder.rectangle({5, 1, 5}, {size, 0, 0}, {0, 0, size}, grey);
         const Scene scene = builder.scene(0.25);
         const Counted all = counted(scene, 64.0);
-        std::vector<SparseExchange::LossCounts> losses = all.losses(scene);
-        for (SparseExchange::LossCounts& none : losses)
-            none.escaped = none.behind = 0.0;
-        const SparseExchange exchange(all.counts, scene.areas(), all.density, losses, sides(scene), {}, 0.0, 2);
+        std::vector<Segment> joined;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            for (const std::uint32_t j : all.counts.row(i))
+                if (j < i)
+                    joined.push_back({i, j});
+        LineCounts without_losses(scene.patch_count());
+        without_losses.add(joined);
+        without_losses.merge(1);
+        const SparseExchange exchange(without_losses, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
         const std::vector<Rgb> y = exchange.apply(std::vector<Rgb>(scene.patch_count(), Rgb{1, 1, 1}), 2);
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
             CHECK(y[i].g >= 0.0);
@@ -179,7 +175,7 @@ TEST_CASE("an exchange is the same in any unit of length and of light")
 {
     const Scene scene = open_room();
     const Counted all = counted(scene, 20.0);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
+    const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
     std::vector<Rgb> x;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         x.push_back({1.0, 2.0 + std::sin(i), 1e-3 / (1.0 + i)});
@@ -189,15 +185,13 @@ TEST_CASE("an exchange is the same in any unit of length and of light")
             CAPTURE(length);
             CAPTURE(light);
             std::vector<double> area = scene.areas();
-            std::vector<double> density = all.density;
             std::vector<Rgb> scaled;
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
                 area[i] *= length * length;
-                density[i] /= length * length;
                 scaled.push_back(light * x[i]);
             }
             const std::vector<Rgb> result =
-                SparseExchange(all.counts, area, density, all.losses(scene), sides(scene), {}, 0.0, 2).apply(scaled, 2);
+                SparseExchange(all.counts, area, all.cast, sides(scene), {}, 0.0, 2).apply(scaled, 2);
             for (std::uint32_t i = 0; i < scene.patch_count(); i += 7) {
                 CHECK(result[i].g == doctest::Approx(length * length * light * y[i].g).epsilon(1e-5));
                 CHECK(result[i].b == doctest::Approx(length * length * light * y[i].b).epsilon(1e-5));
@@ -219,13 +213,13 @@ TEST_CASE("a patch without rays of its own loses as much of its light each way a
     const Counted all = counted(scene, rays);
     double escaped = 0.0;
     double lost = 0.0;
-    for (const SparseExchange::LossCounts& counts : all.losses(scene)) {
-        escaped += counts.escaped;
-        lost += counts.lost();
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        escaped += static_cast<double>(all.counts.escaped(i));
+        lost += all.lost(i);
     }
     CHECK(escaped > 0.3 * lost);
     CHECK(escaped < 0.8 * lost);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0, 2);
+    const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
     int losing = 0; // the rays of the others fill some rows
     for (std::uint32_t i = 0; i < rays.size(); i += 5)
         if (const double area = exchange.escaping(i) + exchange.behind(i); area > 0.0) {
@@ -249,12 +243,11 @@ TEST_CASE("sides whose patches cast few rays lose what these rays have lost on t
         double by_own_rays[3] = {};
         for (std::uint64_t seed = 1; seed <= 16; ++seed) {
             const Counted all = counted(scene, rays, seed);
-            const std::vector<SparseExchange::LossCounts> losses = all.losses(scene);
-            const SparseExchange exchange(all.counts, scene.areas(), all.density, losses, sides(scene), {}, 0.0, 2);
+            const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
             for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
                 if (const std::uint32_t side = scene.surface_of(i); side < 3) {
                     lost[side] += exchange.escaping(i) + exchange.behind(i);
-                    by_own_rays[side] += scene.area(i) * losses[i].lost() / losses[i].cast;
+                    by_own_rays[side] += scene.area(i) * all.lost(i) / all.cast[i];
                 }
         }
         for (int side = 0; side < 3; ++side) {
@@ -283,8 +276,7 @@ TEST_CASE("what many rays of one patch say is not scaled by the noise of the few
     double differences = 0.0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const Counted all = counted(scene, rays, seed);
-        const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), {}, 0.0,
-                                      2);
+        const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), {}, 0.0, 2);
         std::vector<Rgb> light(scene.patch_count());
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             if (is_sill(i))
@@ -295,7 +287,7 @@ TEST_CASE("what many rays of one patch say is not scaled by the noise of the few
                 continue;
             double by_rays = 0.0; // nearly all of the sill's
             for (const std::uint32_t j : all.counts.row(i))
-                by_rays += is_sill(j) ? 1.0 / (all.density[i] + all.density[j]) : 0.0;
+                by_rays += is_sill(j) ? 1.0 / (all.cast[i] / scene.area(i) + all.cast[j] / scene.area(j)) : 0.0;
             squares += by_rays * by_rays;
             differences += (y[i].g - by_rays) * (y[i].g - by_rays);
         }
@@ -320,7 +312,7 @@ TEST_CASE("a closed room beside one that loses light keeps its own")
     std::vector<std::uint32_t> alone(scene.patch_count());
     std::iota(alone.begin(), alone.end(), 0u);
     for (const std::vector<std::uint32_t>& side : {alone, sides(scene)}) {
-        const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), side, {}, 0.0, 2);
+        const SparseExchange exchange(all.counts, scene.areas(), all.cast, side, {}, 0.0, 2);
         double lost[3] = {}; // by the closed room, the plate and the open room
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
             const std::uint32_t surface = scene.surface_of(i);
@@ -360,8 +352,7 @@ TEST_CASE("what a ray takes away too much the other rays take away too little, b
             }
         }
         const Counted all = counted(scene, rays);
-        const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), sky, 0.0,
-                                      2);
+        const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), sky, 0.0, 2);
         const SparseExchange::Returns returns = exchange.returns(radiosity, reflectance, 2);
         for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b}) {
             double sum = returns.escaped.*c + returns.behind.*c;
@@ -391,7 +382,7 @@ TEST_CASE("in a furnace, also below a sky as bright, the ray that brings light t
             sky.push_back(i);
         }
     const Counted all = counted(scene, expected);
-    const SparseExchange exchange(all.counts, scene.areas(), all.density, all.losses(scene), sides(scene), sky, 0.0, 2);
+    const SparseExchange exchange(all.counts, scene.areas(), all.cast, sides(scene), sky, 0.0, 2);
     CHECK(exchange.lost_area() > 0.5);
     const std::vector<Rgb> one(scene.patch_count(), Rgb{1, 1, 1});
     const SparseExchange::Returns returns =
