@@ -104,7 +104,8 @@ TEST_CASE("rays from either of two unlike rectangles and lines through both find
                 const auto items = make_sequence(sequence, seed);
                 double arrived = 0.0;
                 for (std::uint64_t n = 0; n < line_count; ++n)
-                    arrived += receiver(scene, from, local_line(scene.patch(from), items->item(n))) == 1 - from ? 1.0 : 0.0;
+                    arrived +=
+                        receiver(scene, from, local_line(scene.patch(from), items->item(n))) == 1 - from ? 1.0 : 0.0;
                 samples.push_back(scene.area(from) * arrived / line_count);
             }
             CHECK(estimate(samples).agrees_with(exchange));
