@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <system_error>
+#include <tuple>
 
 namespace multipath {
 
@@ -97,10 +98,8 @@ using PauseWish = std::function<bool()>;
 class OrderedRun
 {
 public:
-    using BlockFunction = std::function<void(std::uint64_t, int)>;
-
-    OrderedRun(std::uint64_t first, std::uint64_t end, int slots, const BlockFunction& produce,
-               const BlockFunction& consume, const PauseWish& wants_pause)
+    OrderedRun(std::uint64_t first, std::uint64_t end, int slots, const BlockWork& produce, const BlockWork& consume,
+               const PauseWish& wants_pause)
         : first_(first),
           slots_(static_cast<std::uint64_t>(slots)),
           produce_(produce),
@@ -192,8 +191,8 @@ private:
 
     const std::uint64_t first_;
     const std::uint64_t slots_;
-    const BlockFunction& produce_;
-    const BlockFunction& consume_;
+    const BlockWork& produce_;
+    const BlockWork& consume_;
     const PauseWish& wants_pause_;
 
     std::mutex mutex_; ///< guards all members below
@@ -208,20 +207,10 @@ private:
     std::exception_ptr failure_;
 };
 
-} // namespace
-
-int slot_count(int threads)
-{
-    return threads <= 1 ? 1 : 4 * threads;
-}
-
-namespace {
-
 /// Runs the blocks first ... end - 1, or fewer if a pause is wanted, but at least one. Returns the first block not
 /// done.
-std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
-                         const std::function<void(std::uint64_t, int)>& produce,
-                         const std::function<void(std::uint64_t, int)>& consume, const PauseWish& wants_pause)
+std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads, const BlockWork& produce,
+                         const BlockWork& consume, const PauseWish& wants_pause)
 {
     if (threads <= 1) {
         std::uint64_t block = first;
@@ -239,16 +228,18 @@ std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads,
 
 } // namespace
 
-void ordered_blocks(std::uint64_t block_count, int threads,
-                    const std::function<void(std::uint64_t block, int slot)>& produce,
-                    const std::function<void(std::uint64_t block, int slot)>& consume)
+int slot_count(int threads)
+{
+    return threads <= 1 ? 1 : 4 * threads;
+}
+
+void ordered_blocks(std::uint64_t block_count, int threads, const BlockWork& produce, const BlockWork& consume)
 {
     run_blocks(0, block_count, threads, produce, consume, [] { return false; });
 }
 
-void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
-                      const std::function<void(std::uint64_t block, int slot)>& produce,
-                      const std::function<void(std::uint64_t block, int slot)>& consume)
+void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run, const BlockWork& produce,
+                      const BlockWork& consume)
 {
     const PauseWish wants_pause = [&] { return run.checkpoint && run.checkpoint->wants_pause(); };
     if (next < end)
@@ -308,7 +299,7 @@ void ShardRange::visit(Archive& archive)
 ShardRange union_of(std::vector<ShardRange> ranges)
 {
     std::sort(ranges.begin(), ranges.end(), [](const ShardRange& a, const ShardRange& b) {
-        return a.first < b.first || (a.first == b.first && a.end < b.end);
+        return std::tie(a.first, a.end) < std::tie(b.first, b.end);
     });
     std::uint64_t done = 0;
     for (const ShardRange& range : ranges) {
@@ -321,8 +312,7 @@ ShardRange union_of(std::vector<ShardRange> ranges)
     return {done, 0, done, done, 1};
 }
 
-void shard_blocks(ShardRange& range, const RunControl& run, const std::function<void(std::uint64_t, int)>& produce,
-                  const std::function<void(std::uint64_t, int)>& consume)
+void shard_blocks(ShardRange& range, const RunControl& run, const BlockWork& produce, const BlockWork& consume)
 {
     resumable_blocks(range.next, range.end, run, produce, consume);
     if (range.is_shard() && !run.stopped())

@@ -103,18 +103,16 @@ Value parallel_sum(std::uint32_t count, int threads, const Term& term)
 /// consume(block, slot) one block at a time, in ascending order, while later blocks are being produced. `slot` (0 ...
 /// slot_count(threads) - 1) identifies the buffer that belongs to the block until the block is consumed. With one
 /// thread, everything runs on the calling thread. Exceptions as in parallel_blocks.
-void ordered_blocks(std::uint64_t block_count, int threads,
-                    const std::function<void(std::uint64_t block, int slot)>& produce,
-                    const std::function<void(std::uint64_t block, int slot)>& consume);
+using BlockWork = std::function<void(std::uint64_t block, int slot)>;
+void ordered_blocks(std::uint64_t block_count, int threads, const BlockWork& produce, const BlockWork& consume);
 
 /// Like ordered_blocks for the blocks `next` ... `end` - 1. Whenever the checkpoint wants a pause, the blocks in
 /// progress are finished, `next` is set to the first block that is not done, and Checkpoint::pause() is called. At this
 /// time `next` and the results of the blocks are consistent; a Checkpoint::Part of the caller must save both. On return
 /// `next` = `end`, or `next` < `end` if the checkpoint has stopped the work before the last block. Calls the line
 /// counter with 0 lines at the start if there are blocks to do.
-void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run,
-                      const std::function<void(std::uint64_t block, int slot)>& produce,
-                      const std::function<void(std::uint64_t block, int slot)>& consume);
+void resumable_blocks(std::uint64_t& next, std::uint64_t end, const RunControl& run, const BlockWork& produce,
+                      const BlockWork& consume);
 
 /// Number of slots, each with a buffer, that ordered_blocks uses with this number of threads.
 int slot_count(int threads);
@@ -148,9 +146,7 @@ ShardRange union_of(std::vector<ShardRange> ranges);
 /// Like resumable_blocks for the units of `range`, in a stage whose results can be added to those of other shards. If
 /// there are several shards, run.checkpoint must not be null: when the units are done, Checkpoint::publish_shard saves
 /// the results and stops the run.
-void shard_blocks(ShardRange& range, const RunControl& run,
-                  const std::function<void(std::uint64_t block, int slot)>& produce,
-                  const std::function<void(std::uint64_t block, int slot)>& consume);
+void shard_blocks(ShardRange& range, const RunControl& run, const BlockWork& produce, const BlockWork& consume);
 
 /// One buffer for each slot of ordered_blocks, resumable_blocks or shard_blocks.
 template <class Buffer>
