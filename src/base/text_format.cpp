@@ -28,12 +28,20 @@ std::string grouped(std::uint64_t count)
     return digits;
 }
 
-std::string join(const std::vector<std::string>& parts, std::string_view separator)
+std::vector<std::string> concatenated(const std::vector<std::vector<std::string>>& lists)
 {
-    std::string text;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        text.append(k == 0 ? "" : separator).append(parts[k]);
-    return text;
+    std::vector<std::string> all;
+    for (const std::vector<std::string>& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+std::string lower_case(std::string_view text)
+{
+    std::string result(text);
+    for (char& c : result)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return result;
 }
 
 std::string first_of(std::vector<std::string> parts, std::size_t most)
@@ -108,6 +116,18 @@ bool is_control(char c)
 {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
+
+} // namespace
+
+std::string without_controls(std::string_view text, std::string_view kept)
+{
+    std::string result(text);
+    for (char& c : result)
+        c = is_control(c) && kept.find(c) == std::string_view::npos ? '?' : c;
+    return result;
+}
+
+namespace {
 
 /// A character as it is written inside $'...'.
 std::string escaped(char c)

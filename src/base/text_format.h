@@ -19,13 +19,29 @@ format(const char* pattern, ...);
 std::string grouped(std::uint64_t count);
 
 /// Joins texts with a separator: "a, b, c".
-std::string join(const std::vector<std::string>& parts, std::string_view separator = ", ");
+template <class Texts>
+std::string join(const Texts& parts, std::string_view separator = ", ")
+{
+    std::string text;
+    for (const auto& part : parts)
+        text.append(&part == &*parts.begin() ? "" : separator).append(part);
+    return text;
+}
+
+/// The texts of all lists, in order.
+std::vector<std::string> concatenated(const std::vector<std::vector<std::string>>& lists);
+
+/// The text with the letters A to Z as a to z.
+std::string lower_case(std::string_view text);
 
 /// The first of many texts and the number of the others: "a, b and 7 more".
 std::string first_of(std::vector<std::string> parts, std::size_t most);
 
 /// "1 surface", "14 surfaces"
 std::string counted(std::size_t count, const std::string& noun);
+
+/// The text with '?' for control characters, such as those of file names, which terminals obey. Those of `kept` stay.
+std::string without_controls(std::string_view text, std::string_view kept = "");
 
 /// Quotes a word for a POSIX shell. The result has no line ends. A word of harmless characters stays as it is; others
 /// are put in '...', or in $'...' (POSIX 2024) with octal escapes if they contain control characters.

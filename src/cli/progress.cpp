@@ -39,7 +39,7 @@ Progress::~Progress()
         std::fputs("\r\033[K", stderr);
 }
 
-void Progress::show(double done)
+void Progress::operator()(double done)
 {
     if (style_ == ProgressStyle::none)
         return;

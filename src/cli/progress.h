@@ -29,7 +29,7 @@ public:
     Progress(std::string what, ProgressStyle style);
     ~Progress(); ///< clears the bar
 
-    void show(double done); ///< `done`: share of the work, 0 ... 1
+    void operator()(double done); ///< `done`: share of the work, 0 ... 1
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <sstream>
 
 namespace multipath {
 
@@ -17,11 +17,15 @@ constexpr std::array<std::string_view, 11> without_effect = {"threads",    "outp
 
 bool default_holds(const Option& option, const CommandLine& line)
 {
-    const std::vector<OptionValue>& others = option.default_depends_on;
-    return std::all_of(others.begin(), others.end(), [&](const OptionValue& other) {
-        return !line.knows(other.option) ||
-               line.text(other.option) == (other.value.empty() ? line.default_text(other.option) : other.value);
-    });
+    std::istringstream conditions{std::string(option.default_if)};
+    for (std::string condition; conditions >> condition;) {
+        const std::size_t equals = condition.find('=');
+        const std::string other = condition.substr(0, equals);
+        if (line.knows(other) &&
+            line.text(other) != (equals == std::string::npos ? line.default_text(other) : condition.substr(equals + 1)))
+            return false;
+    }
+    return true;
 }
 
 /// The option as words of a command line, after a space; "" if it is not recorded.
@@ -39,20 +43,19 @@ std::string words_of(const Option& option, const CommandLine& line)
     return text;
 }
 
-std::string command_text(const CommandTable& table, const CommandLine& line)
+std::string command_text(const CommandLine& line, const std::vector<std::string>& left_out)
 {
     const std::vector<std::string>& operands = line.operands();
     const bool like_options =
         std::any_of(operands.begin(), operands.end(), [](const std::string& word) { return word.substr(0, 1) == "-"; });
     std::string options;
-    for (const OptionGroup& group : table.groups)
-        for (const Option& option : group.options)
-            if (is_recorded(option.name))
-                options += words_of(option, line);
+    for (const Option& option : all_options(line.table().groups))
+        if (is_recorded(option.name) && std::find(left_out.begin(), left_out.end(), option.name) == left_out.end())
+            options += words_of(option, line);
     std::string words;
     for (const std::string& operand : operands)
         words += " " + shell_word(operand);
-    return "multipath " + std::string(table.name) + (like_options ? options + " --" + words : words + options);
+    return "multipath " + std::string(line.table().name) + (like_options ? options + " --" + words : words + options);
 }
 
 } // namespace
@@ -62,20 +65,19 @@ bool is_recorded(std::string_view option)
     return std::find(without_effect.begin(), without_effect.end(), option) == without_effect.end();
 }
 
-std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene)
+std::vector<std::string> provenance(const CommandLine& line, const Scene& scene,
+                                    const std::vector<std::string>& left_out)
 {
-    std::array<char, 32> hash{};
-    std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(scene.hash()));
-    std::vector<std::string> facts = provenance(table, line);
-    facts.push_back("scene: " + std::string(hash.data()));
+    std::vector<std::string> facts = provenance(line, left_out);
+    facts.push_back(format("scene: %016llx", static_cast<unsigned long long>(scene.hash())));
     if (scene.file().photometric)
         facts.emplace_back("unit: lx");
     return facts;
 }
 
-std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line)
+std::vector<std::string> provenance(const CommandLine& line, const std::vector<std::string>& left_out)
 {
-    std::vector<std::string> facts = {version(), "command: " + command_text(table, line)};
+    std::vector<std::string> facts = {version(), "command: " + command_text(line, left_out)};
     if (line.knows("seed"))
         facts.push_back("seed: " + line.text("seed"));
     return facts;

@@ -12,11 +12,12 @@ namespace multipath {
 /// Origin of an output, one line per fact: version, the command that reproduces the output, seed, hash of the scene,
 /// and the unit of light if it is lux. Options that do not change the result (threads, outputs, messages) are left out
 /// of the command, so that the same result has the same bytes. The command is one line that a POSIX shell reads back as
-/// the same words.
-std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line, const Scene& scene);
+/// the same words. `left_out`: further options that are not to be recorded.
+std::vector<std::string> provenance(const CommandLine& line, const Scene& scene,
+                                    const std::vector<std::string>& left_out = {});
 
 /// The same for outputs made without a scene: version, command and seed.
-std::vector<std::string> provenance(const CommandTable& table, const CommandLine& line);
+std::vector<std::string> provenance(const CommandLine& line, const std::vector<std::string>& left_out = {});
 
 /// True if provenance() records the option of this long name.
 bool is_recorded(std::string_view option);

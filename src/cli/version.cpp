@@ -10,27 +10,13 @@ constexpr char sources[] =
 #include "cli/sources_checksum.inc"
     ;
 
-std::string compiler()
-{
 #if defined(__clang__)
-    return "clang++ " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) + "." +
-           std::to_string(__clang_patchlevel__);
+constexpr char compiler[] = "clang++ " __clang_version__;
 #elif defined(__GNUC__)
-    return "g++ " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." +
-           std::to_string(__GNUC_PATCHLEVEL__);
+constexpr char compiler[] = "g++ " __VERSION__;
 #else
-    return "an unknown compiler";
+constexpr char compiler[] = "an unknown compiler";
 #endif
-}
-
-std::string usable_sets()
-{
-    std::string names;
-    for (const std::string& name : instruction_sets())
-        if (usable(name))
-            names += (names.empty() ? "" : " ") + name;
-    return names;
-}
 
 } // namespace
 
@@ -46,7 +32,10 @@ std::string sources_checksum()
 
 std::string version_text()
 {
-    return version() + "\ncompiler: " + compiler() + "\ninstruction sets: " + usable_sets() + "\n";
+    std::string text = version() + "\ncompiler: " + compiler + "\ninstruction sets:";
+    for (const std::string& set : instruction_sets())
+        text += usable(set) ? " " + set : "";
+    return text + "\n";
 }
 
 } // namespace multipath

@@ -18,24 +18,6 @@ namespace multipath {
 
 namespace {
 
-CommandTable check_table()
-{
-    return {"check",
-            "report the content of a scene, the paper's figures for it, and its faults",
-            {{"SCENE.obj", false, false, {".obj"}}},
-            {{"Report",
-              {{"json", 0, "", "", "Print the report as JSON on standard output."},
-               {"lines", 'n', "N", "2^20",
-                "Number of lines for each measured figure; fewer are cast if they meet very many surfaces."},
-               threads_option()}},
-             scene_option_group()},
-            "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area.\n"
-            "Smaller ones are notes, and so are findings that do not make the result wrong. The most severe\n"
-            "findings come first.\n"
-            "\n"
-            "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"};
-}
-
 /// The emission of a scene by one material.
 struct Emitter
 {
@@ -266,7 +248,21 @@ int run_check(const CommandLine& line)
 
 Command check_command()
 {
-    return {check_table(), run_check};
+    return {{"check",
+             "report the content of a scene, the paper's figures for it, and its faults",
+             {{"SCENE.obj", false, false, {".obj"}}},
+             {{"Report",
+               {{"json", 0, "", "", "Print the report as JSON on standard output."},
+                {"lines", 'n', "N", "2^20",
+                 "Number of lines for each measured figure; fewer are cast if they meet very many surfaces."},
+                threads_option()}},
+              scene_option_group()},
+             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area.\n"
+             "Smaller ones are notes, and so are findings that do not make the result wrong. The most severe\n"
+             "findings come first.\n"
+             "\n"
+             "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"},
+            run_check};
 }
 
 } // namespace multipath

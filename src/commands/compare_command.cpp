@@ -69,19 +69,6 @@ struct Comparison
     }
 };
 
-/// Throws InputError if the patches of the tables differ in number or area.
-void require_same_patches(const PatchTable& a, const PatchTable& b)
-{
-    if (a.areas.size() != b.areas.size())
-        throw InputError(a.path + ": " + grouped(a.areas.size()) + " patches, expected " + grouped(b.areas.size()) +
-                         " as in " + b.path);
-    for (std::size_t i = 0; i < a.areas.size(); ++i)
-        if (!(std::abs(a.areas[i] - b.areas[i]) <= 1e-9 * b.areas[i]))
-            throw InputError(a.path +
-                             format(": patch %zu has %.12g m^2, expected %.12g m^2 as in ", i, a.areas[i], b.areas[i]) +
-                             b.path);
-}
-
 /// Area-weighted mean [W/m^2].
 double mean_radiosity(const PatchTable& table)
 {
@@ -164,30 +151,20 @@ std::string expected_text(std::optional<double> relative_square)
                            : "unknown";
 }
 
-/// Interpretation of measured_over_expected(). Between 0.5 and 2 the standard errors explain the difference, since an
-/// MSE by a few replicates scatters by up to a factor of two.
-std::string verdict(const Comparison& c, double ratio)
-{
-    if (ratio < 0.5)
-        return "independent results would differ more";
-    if (c.expected_a && c.expected_b)
-        return ratio <= 2.0 ? "they explain it" : "they do not explain it";
-    const std::string one = c.expected_a ? "A" : "B";
-    const std::string other = c.expected_a ? "B" : "A";
-    return ratio <= 2.0 ? "the error of " + one + " alone explains it" : "the rest is the unknown error of " + other;
-}
-
+/// Between 0.5 and 2 the standard errors explain the difference, since an MSE by a few replicates scatters by up to a
+/// factor of two.
 std::string errors_text(const Comparison& c)
 {
     if (!c.expected_a && !c.expected_b)
         return "";
-    const std::string text = "errors     relative MSE by its own standard errors: A " + expected_text(c.expected_a) +
-                             ", B " + expected_text(c.expected_b) + "\n";
-    const std::optional<double> ratio = c.measured_over_expected();
-    if (!ratio)
-        return text + "explained  all standard errors are 0 and explain nothing\n";
-    return text + format("explained  the MSE is %.3g times what these errors predict: ", *ratio) + verdict(c, *ratio) +
-           "\n";
+    std::string text = "errors     relative MSE by its own standard errors: A " + expected_text(c.expected_a) + ", B " +
+                       expected_text(c.expected_b) + "\n";
+    if (const std::optional<double> ratio = c.measured_over_expected())
+        text += format("explained  the MSE is %.3g times what these errors predict: %s\n", *ratio,
+                       *ratio < 0.5    ? "independent results would differ more"
+                       : *ratio <= 2.0 ? "they explain it"
+                                       : "they do not explain it");
+    return text;
 }
 
 std::string worst_text(const Comparison& c)
@@ -307,33 +284,6 @@ JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError
     return json;
 }
 
-CommandTable compare_table()
-{
-    return {"compare",
-            "measure the error of a result against another one of the same scene",
-            {{"A", false, false, {".csv", ".state"}}, {"B", false, true, {".csv", ".state"}}},
-            {{"Report",
-              {{"worst", 0, "N", "5", "List the N patches with the largest shares of the mean square error."},
-               {"points", 0, "N", "10000",
-                "Number of points at which the shown light is compared, without B or if B has other patches."},
-               {"tolerance", 0, "SHARE", "",
-                "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
-               {"json", 0, "", "", "Print the report as JSON on standard output."},
-               threads_option()}}},
-            "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
-            "wrote, or states of finished runs, with the same patches. If they have standard errors\n"
-            "(solve --replicates), the report shows whether these explain the difference. A table of\n"
-            "another program, as A, needs only the columns patch, counted from 0 in the order of B, and\n"
-            "radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
-            "States of the same surfaces with other patches, many more in B than in A, are compared by what\n"
-            "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
-            "gathered from A itself. This estimates the whole error of A, of patches and noise together,\n"
-            "except for errors common to everything that a point sees, such as the noise of few lines in\n"
-            "bright rooms.\n\n"
-            "Exit code 0, whatever the difference, unless it exceeds --tolerance; 1 if the results cannot be\n"
-            "compared.\n"};
-}
-
 void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
 {
     const std::optional<std::string> scene_a = comment_value(a.comments, "scene");
@@ -370,7 +320,7 @@ int run_compare(const CommandLine& line)
         root = error.root();
         print(json ? shown_json(a, b, error).document() : shown_text(a, b, error, alone));
     } else {
-        require_same_patches(a, b);
+        require_same_patches(a, b.areas, b.path);
         warn_of_other_scene(a, b);
         const Comparison comparison = compare(a, b, worst_count);
         root = comparison.root();
@@ -387,7 +337,30 @@ int run_compare(const CommandLine& line)
 
 Command compare_command()
 {
-    return {compare_table(), run_compare};
+    return {{"compare",
+             "measure the error of a result against another one of the same scene",
+             {{"A", false, false, {".csv", ".state"}}, {"B", false, true, {".csv", ".state"}}},
+             {{"Report",
+               {{"worst", 0, "N", "5", "List the N patches with the largest shares of the mean square error."},
+                {"points", 0, "N", "10000",
+                 "Number of points at which the shown light is compared, without B or if B has other patches."},
+                {"tolerance", 0, "SHARE", "",
+                 "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
+                {"json", 0, "", "", "Print the report as JSON on standard output."},
+                threads_option()}}},
+             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
+             "wrote, or states of finished runs, with the same patches. If they have standard errors\n"
+             "(solve --replicates), the report shows whether these explain the difference. A table of\n"
+             "another program, as A, needs only the columns patch, counted from 0 in the order of B, and\n"
+             "radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
+             "States of the same surfaces with other patches, many more in B than in A, are compared by what\n"
+             "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
+             "gathered from A itself. This estimates the whole error of A, of patches and noise together,\n"
+             "except for errors common to everything that a point sees, such as the noise of few lines in\n"
+             "bright rooms.\n\n"
+             "Exit code 0, whatever the difference, unless it exceeds --tolerance; 1 if the results cannot be\n"
+             "compared.\n"},
+            run_compare};
 }
 
 } // namespace multipath

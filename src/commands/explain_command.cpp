@@ -21,34 +21,6 @@ namespace {
 
 constexpr std::uint64_t most_traced_lines = 1000;
 
-CommandTable explain_table()
-{
-    return {"explain",
-            "explain single lines of a run, one by one, in words and as a drawing",
-            {{"SCENE.obj", false, false, {".obj"}}},
-            {{"Lines",
-              {{"lines", 'n', "K", "3",
-                "Number of lines to explain, at most 1000; of particles or walks in the stages local and gathering."},
-               {"first", 0, "N", "1",
-                "First line to explain, counted from 1 in its stage. The lines before it are traced too."},
-               {"stage", 0, "STAGE", "",
-                "Stage of the lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended "
-                "first shot, counted from 1; global, lines through the scene; bundle, parallel lines of one direction; "
-                "local, particles; gathering, walks of the first round; iteration, rays of the first one of jacobi. By "
-                "default the last stage of the method."},
-               {"output", 'o', "FILE", "",
-                "Also draw the lines in the scene, from above and from the side, as .svg. '-' writes the drawing to "
-                "standard output instead of the text.",
-                true},
-               {"up", 0, "X,Y,Z", "0,1,0", "Upward direction of the drawing."}}},
-             method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run whose lines are explained."},
-                                 false),
-             scene_option_group()},
-            "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
-            "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
-            "  multipath explain scenes/5cubes.obj --method local --of 10000\n"};
-}
-
 /// The stage of the run whose lines are traced.
 struct Stage
 {
@@ -56,52 +28,18 @@ struct Stage
     std::size_t pass = 0; ///< of a shot, from 0
 };
 
-/// "a, b or c".
-std::string alternatives(const std::vector<std::string_view>& names)
-{
-    std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k)
-        text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + std::string(names[k]);
-    return text;
-}
-
-bool has_stage(Method method, std::string_view name)
-{
-    const std::vector<std::string_view> stages = traced_stages(method);
-    return std::find(stages.begin(), stages.end(), name) != stages.end();
-}
-
-/// "first-shot or global, or --method extended": the stages of the method, and the methods with the stage.
-std::string expected_stages(Method method, std::string_view name)
-{
-    std::string text = alternatives(traced_stages(method));
-    const char* before = ", or --method ";
-    for (const Method other : all_methods())
-        if (has_stage(other, name)) {
-            text += before + std::string(other->name);
-            before = " or ";
-        }
-    return text;
-}
-
 Stage read_stage(const CommandLine& line)
 {
-    const Method method = method_named(line.text("method"));
-    const std::string text = line.has("stage") ? line.text("stage") : std::string(traced_stages(method).back());
+    const std::vector<std::string_view> stages = traced_stages(method_named(line.text("method")));
+    const std::string text = line.has("stage") ? line.text("stage") : std::string(stages.back());
     const std::string_view before_pass = later_pass.substr(0, later_pass.find(':') + 1);
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
+    if (std::find(stages.begin(), stages.end(), name) == stages.end())
+        throw UsageError("--stage: expected " + alternatives(stages) + " with --method " + line.text("method") +
+                         ", got " + quoted_argument(text));
     const auto* const stage =
         std::find_if(stage_tracers.begin(), stage_tracers.end(), [&](const StageTracer& s) { return s.stage == name; });
-    if (stage == stage_tracers.end()) {
-        std::vector<std::string_view> names;
-        for (const StageTracer& known : stage_tracers)
-            names.push_back(known.stage);
-        throw UsageError("--stage: expected " + alternatives(names) + ", got " + quoted_argument(text));
-    }
-    if (!has_stage(method, name))
-        throw UsageError("--stage: --method " + line.text("method") + " has no stage " + text + "; expected " +
-                         expected_stages(method, name));
     if (!pass_named)
         return {stage};
     return {stage, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
@@ -144,7 +82,7 @@ int run_explain(const CommandLine& line)
     const StageTrace trace = stage.tracer->trace(scene, options, range);
     LineDrawing drawing = drawing_of(run, trace);
     drawing.up = up;
-    drawing.comments = provenance(explain_table(), line, scene);
+    drawing.comments = provenance(line, scene);
     for (PlannedOutput& output : outputs)
         output.file.write(draw_lines(scene, drawn_lines(trace), drawing));
     commit(outputs);
@@ -157,7 +95,32 @@ int run_explain(const CommandLine& line)
 
 Command explain_command()
 {
-    return {explain_table(), run_explain};
+    return {
+        {"explain",
+         "explain single lines of a run, one by one, in words and as a drawing",
+         {{"SCENE.obj", false, false, {".obj"}}},
+         {{"Lines",
+           {{"lines", 'n', "K", "3",
+             "Number of lines to explain, at most 1000; of particles or walks in the stages local and gathering."},
+            {"first", 0, "N", "1",
+             "First line to explain, counted from 1 in its stage. The lines before it are traced too."},
+            {"stage", 0, "STAGE", "",
+             "Stage of the lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended "
+             "first shot, counted from 1; global, lines through the scene; bundle, parallel lines of one direction; "
+             "local, particles; gathering, walks of the first round; iteration, rays of the first one of jacobi. By "
+             "default the last stage of the method."},
+            {"output", 'o', "FILE", "",
+             "Also draw the lines in the scene, from above and from the side, as .svg. '-' writes the drawing to "
+             "standard output instead of the text.",
+             true},
+            {"up", 0, "X,Y,Z", "0,1,0", "Upward direction of the drawing."}}},
+          method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run whose lines are explained."},
+                              false),
+          scene_option_group()},
+         "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
+         "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
+         "  multipath explain scenes/5cubes.obj --method local --of 10000\n"},
+        run_explain};
 }
 
 } // namespace multipath

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"
@@ -14,22 +15,6 @@ namespace multipath {
 
 namespace {
 
-CommandTable merge_table()
-{
-    return {"merge",
-            "add up the shards of one run (solve --shard)",
-            {{"STATE", true, false, {".state"}}},
-            {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
-            "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts\n"
-            "lines. For the second round, which refines some pairs of patches, write the sum as a state and\n"
-            "continue from it in shards again (solve --from-state), or let 'merge' do it: it does all work\n"
-            "that is left before it writes any output but a state. Shards of the other methods are\n"
-            "independent runs; they are averaged by their lines.\n"
-            "\n"
-            "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
-            "  multipath merge 1.state 2.state -o room.png -o room.csv\n"};
-}
-
 /// Sorts the runs by the number of their shard. Throws InputError unless they are all shards of one run.
 void require_all_shards(std::vector<SavedRun>& runs)
 {
@@ -37,21 +22,17 @@ void require_all_shards(std::vector<SavedRun>& runs)
         return a.description.shard.number < b.description.shard.number;
     });
     const std::uint64_t of = runs[0].description.shard.of;
-    const auto shard_text = [&](std::uint64_t number) { return std::to_string(number + 1) + "/" + std::to_string(of); };
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        RunDescription same_shard = runs[k].description;
+    std::vector<std::string> given;
+    bool each_once = runs.size() == of;
+    for (const SavedRun& run : runs) {
+        RunDescription same_shard = run.description;
         same_shard.shard.number = runs[0].description.shard.number;
         require_same_run(runs[0].description, runs[0].name(), same_shard);
-        const std::uint64_t number = runs[k].description.shard.number;
-        if (k > 0 && number == runs[k - 1].description.shard.number)
-            throw InputError(runs[k - 1].name() + " and " + runs[k].name() + " are both shard " + shard_text(number) +
-                             "; expected each shard once");
-        if (number != k)
-            throw InputError("shard " + shard_text(k) + " is missing; expected all " + std::to_string(of) + " of them");
+        each_once = each_once && run.description.shard.number == given.size();
+        given.push_back(run.name() + " (" + std::to_string(run.description.shard.number + 1) + ")");
     }
-    if (runs.size() != of)
-        throw InputError("shard " + shard_text(runs.size()) + " is missing; expected all " + std::to_string(of) +
-                         " of them");
+    if (!each_once)
+        throw InputError("expected each of the shards 1 to " + std::to_string(of) + " once, got " + join(given));
 }
 
 /// Throws InputError unless the shards have been saved at the same point of the run, with the same direct light.
@@ -119,10 +100,10 @@ int run_merge(const CommandLine& line)
         throw InputError(runs[0].name() +
                          ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");
     require_all_shards(runs);
-    const SolveJob job = read_solve_job(command_line_of(runs[0].description, forwarded_options(merge_table(), line)));
-    std::vector<std::string> inputs = input_files(*runs[0].description.scene.file);
-    for (const std::vector<std::string>& more : {line.operands(), line.all("camera")})
-        inputs.insert(inputs.end(), more.begin(), more.end());
+    const SolveJob job =
+        read_solve_job(command_line_of(runs[0].description, line.words(all_options(line.table().groups))));
+    const std::vector<std::string> inputs =
+        concatenated({input_files(*runs[0].description.scene.file), line.operands(), line.all("camera")});
     const std::vector<std::string> paths =
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
     std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs, job.pictures.views);
@@ -147,7 +128,19 @@ int run_merge(const CommandLine& line)
 
 Command merge_command()
 {
-    return {merge_table(), run_merge};
+    return {{"merge",
+             "add up the shards of one run (solve --shard)",
+             {{"STATE", true, false, {".state"}}},
+             {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
+             "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts\n"
+             "lines. For the second round, which refines some pairs of patches, write the sum as a state and\n"
+             "continue from it in shards again (solve --from-state), or let 'merge' do it: it does all work\n"
+             "that is left before it writes any output but a state. Shards of the other methods are\n"
+             "independent runs; they are averaged by their lines.\n"
+             "\n"
+             "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
+             "  multipath merge 1.state 2.state -o room.png -o room.csv\n"},
+            run_merge};
 }
 
 } // namespace multipath

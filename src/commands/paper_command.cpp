@@ -24,26 +24,6 @@ namespace multipath {
 
 namespace {
 
-CommandTable paper_table()
-{
-    return {
-        "paper",
-        "compute every table and figure of the paper from the bundled scenes, as one report",
-        {},
-        {{"Output",
-          {{"output", 'o', "FOLDER", "paper",
-            "Folder for the report: index.html with everything in it, results.md, and the figures and tables as files. "
-            "Finished runs are kept in its folder 'cache', so that the command resumes where it was interrupted."},
-           {"quiet", 'q', "", "", "Print only errors."}}},
-         {"Work",
-          {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
-           {"scenes", 0, "FOLDER", "scenes",
-            "Folder with 5cubes.obj and the other scenes of the paper. If the default does not exist, the bundled "
-            "scenes are used."},
-           threads_option()}}},
-        "  multipath paper --quick -o paper && xdg-open paper/index.html\n"};
-}
-
 /// Runs one step as if it had been typed, with its outputs in the folder.
 void run_step(const PaperStep& step, const std::string& folder, const CommandLine& line)
 {
@@ -145,7 +125,7 @@ int run_paper(const CommandLine& line)
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     findings.facts = facts(line, elapsed.count(), resumed);
     const Report report = paper_report(findings);
-    const std::vector<std::string> comments = provenance(paper_table(), line);
+    const std::vector<std::string> comments = provenance(line);
     write_file(folder + "/results.md", report_markdown(report, comments));
     write_file(folder + "/index.html", report_html(report, folder, comments));
     if (!quiet) {
@@ -159,7 +139,23 @@ int run_paper(const CommandLine& line)
 
 Command paper_command()
 {
-    return {paper_table(), run_paper};
+    return {{"paper",
+             "compute every table and figure of the paper from the bundled scenes, as one report",
+             {},
+             {{"Output",
+               {{"output", 'o', "FOLDER", "paper",
+                 "Folder for the report: index.html with everything in it, results.md, and the figures and tables as "
+                 "files. "
+                 "Finished runs are kept in its folder 'cache', so that the command resumes where it was interrupted."},
+                {"quiet", 'q', "", "", "Print only errors."}}},
+              {"Work",
+               {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
+                {"scenes", 0, "FOLDER", "scenes",
+                 "Folder with 5cubes.obj and the other scenes of the paper. If the default does not exist, the bundled "
+                 "scenes are used."},
+                threads_option()}}},
+             "  multipath paper --quick -o paper && xdg-open paper/index.html\n"},
+            run_paper};
 }
 
 } // namespace multipath

@@ -29,46 +29,6 @@ constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // takes 
 constexpr std::array<NamedValue<decltype(&paper_figure_1)>, 2> paper_figures = {
     {{"1", paper_figure_1}, {"2", paper_figure_2}}};
 
-CommandTable points_table()
-{
-    return {
-        "points",
-        "write or draw points of a sequence, and measure how evenly they fill space",
-        {},
-        {{"Output",
-          {{"output", 'o', "FILE", "",
-            "Output file, .csv (one row per point, or per number of points with --discrepancy) or .svg (scatter "
-            "plots). '-' is standard output. By default it gets a CSV, an SVG with --figure, a text with "
-            "--discrepancy.",
-            true}}},
-         {"Sequence",
-          {{"sequence", 's', "NAME", "sobol",
-            "Sequence, such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists "
-            "them all."},
-           {"dims", 'd', "D", "2", "Number of dimensions."},
-           {"count", 'n', "N", "1000", "Number of points."},
-           {"skip", 0, "K", "0", "Leave out the first K points of the sequence."},
-           {"seed", 0, "N", "1", "Seed of random and randomised sequences."}}},
-         {"Drawing",
-          {{"pairs", 0, "I,J", "",
-            "Draw dimension J against dimension I, counted from 0. By default every pair is drawn.", true},
-           {"order", 0, "", "",
-            "Draw arrows from each of the first points to the next, and every point's coordinates against those of the "
-            "next."}}},
-         {"Instead of points",
-          {{"discrepancy", 0, "", "",
-            "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
-            "is "
-            "computed in one and two dimensions."},
-           {"figure", 0, "WHICH", "",
-            "Draw a figure of the paper: 1, random and quasi-random points; 2, why a line should take one 4-D item.",
-            false, names_of(paper_figures)}}}},
-        "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
-        "  multipath points --sequence halton:2,3 --order -o order.svg\n"
-        "  multipath points --sequence sobol --count 2^12 --discrepancy\n"
-        "  multipath points --figure 2 -o figure2.svg\n"};
-}
-
 [[noreturn]] void refuse(const std::string& option, const std::string& reason)
 {
     throw UsageError(option + ": " + reason);
@@ -98,11 +58,6 @@ PointRange read_point_range(const CommandLine& line)
     } catch (const std::invalid_argument& error) {
         refuse("--sequence", error.what());
     }
-}
-
-PointSet all_points(const PointRange& range)
-{
-    return points_of(*range.sequence, range.first, range.count);
 }
 
 /// "sobol, points 0 to 999"
@@ -183,24 +138,20 @@ std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std
     return table;
 }
 
-DimensionPair read_pair(const std::string& text, int dimensions)
-{
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos)
-        refuse("--pairs", "expected two dimensions such as 0,1, got " + quoted_argument(text));
-    const auto read = [&](const std::string& part) {
-        return static_cast<int>(read_count("--pairs", part, 0, static_cast<std::uint64_t>(dimensions - 1)));
-    };
-    return {read(text.substr(0, comma)), read(text.substr(comma + 1))};
-}
-
 std::vector<DimensionPair> read_pairs(const CommandLine& line, int dimensions)
 {
     if (dimensions < 2)
         refuse("--dims", "a drawing needs two dimensions or more");
+    const auto read = [&](const std::string& part) {
+        return static_cast<int>(read_count("--pairs", part, 0, static_cast<std::uint64_t>(dimensions - 1)));
+    };
     std::vector<DimensionPair> pairs;
-    for (const std::string& text : line.all("pairs"))
-        pairs.push_back(read_pair(text, dimensions));
+    for (const std::string& text : line.all("pairs")) {
+        const std::size_t comma = text.find(',');
+        if (comma == std::string::npos)
+            refuse("--pairs", "expected two dimensions such as 0,1, got " + quoted_argument(text));
+        pairs.push_back({read(text.substr(0, comma)), read(text.substr(comma + 1))});
+    }
     if (pairs.empty() && dimensions > most_dimensions_of_a_matrix)
         refuse("--dims", "every pair of more than " + std::to_string(most_dimensions_of_a_matrix) +
                              " dimensions is too much for a drawing; choose some with --pairs");
@@ -220,6 +171,7 @@ void require_absent(const CommandLine& line, const std::vector<std::string>& opt
             refuse("--" + option, reason);
 }
 
+/// The output files, by default standard output.
 std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<std::string_view>& extensions)
 {
     return open_outputs(line.has("output") ? line.all("output") : std::vector<std::string>{"-"}, {}, extensions);
@@ -228,27 +180,26 @@ std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<std::
 int run_listing(const CommandLine& line)
 {
     const PointRange range = read_point_range(line);
-    const std::vector<std::string> paths = line.all("output");
-    const std::vector<std::string_view> extensions = {".csv", ".svg"};
-    const bool draws = std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
-        return output_extension(path, extensions) == ".svg";
-    });
-    if (!draws)
-        require_absent(line, {"pairs", "order"}, "needs a drawing, such as -o points.svg");
-    const std::vector<DimensionPair> pairs =
-        draws ? read_pairs(line, range.sequence->dimensions()) : std::vector<DimensionPair>{};
-    if (draws)
+    std::vector<PlannedOutput> outputs = open(line, {".csv", ".svg"});
+    const bool draws = std::any_of(outputs.begin(), outputs.end(),
+                                   [](const PlannedOutput& output) { return output.extension == ".svg"; });
+    std::string drawing;
+    if (draws) {
+        const std::vector<DimensionPair> pairs = read_pairs(line, range.sequence->dimensions());
         require_drawable(range.count);
-    if (line.has("order") && range.count < 2)
-        refuse("--count", "the order of points shows with two of them or more");
-
-    std::vector<PlannedOutput> outputs = open(line, extensions);
-    const auto draw = line.has("order") ? order_plots : scatter_plots;
+        if (line.has("order") && range.count < 2)
+            refuse("--count", "the order of points shows with two of them or more");
+        const auto draw = line.has("order") ? order_plots : scatter_plots;
+        drawing =
+            draw(points_of(*range.sequence, range.first, range.count), pairs, range_words(range), provenance(line));
+    } else {
+        require_absent(line, {"pairs", "order"}, "needs a drawing, such as -o points.svg");
+    }
     for (PlannedOutput& output : outputs)
         if (output.extension == ".svg")
-            output.file.write(draw(all_points(range), pairs, range_words(range), provenance(points_table(), line)));
+            output.file.write(drawing);
         else // the recorded command writes only the table: without options that need a drawing
-            write_points(output.file, range, provenance(without_options(points_table(), {"pairs", "order"}), line));
+            write_points(output.file, range, provenance(line, {"pairs", "order"}));
     commit(outputs);
     return 0;
 }
@@ -262,7 +213,7 @@ int run_figure(const CommandLine& line)
     require_drawable(count);
     std::vector<PlannedOutput> outputs = open(line, {".svg"});
     const auto figure = line.choice("figure", paper_figures).value;
-    const std::string drawing = figure(count, seed, provenance(without_options(points_table(), fixed), line));
+    const std::string drawing = figure(count, seed, provenance(line, fixed));
     for (PlannedOutput& output : outputs)
         output.file.write(drawing);
     commit(outputs);
@@ -280,7 +231,7 @@ int run_discrepancy(const CommandLine& line)
     std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {".csv"});
 
     const std::vector<DiscrepancyRow> rows = measure_discrepancy(range);
-    const std::vector<std::string> comments = provenance(points_table(), line);
+    const std::vector<std::string> comments = provenance(line);
     for (PlannedOutput& output : outputs)
         output.file.write(discrepancy_table(rows, comments));
     commit(outputs);
@@ -302,7 +253,44 @@ int run_points(const CommandLine& line)
 
 Command points_command()
 {
-    return {points_table(), run_points};
+    return {
+        {"points",
+         "write or draw points of a sequence, and measure how evenly they fill space",
+         {},
+         {{"Output",
+           {{"output", 'o', "FILE", "",
+             "Output file, .csv (one row per point, or per number of points with --discrepancy) or .svg (scatter "
+             "plots). '-' is standard output. By default it gets a CSV, an SVG with --figure, a text with "
+             "--discrepancy.",
+             true}}},
+          {"Sequence",
+           {{"sequence", 's', "NAME", "sobol",
+             "Sequence, such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists "
+             "them all."},
+            {"dims", 'd', "D", "2", "Number of dimensions."},
+            {"count", 'n', "N", "1000", "Number of points."},
+            {"skip", 0, "K", "0", "Leave out the first K points of the sequence."},
+            {"seed", 0, "N", "1", "Seed of random and randomised sequences."}}},
+          {"Drawing",
+           {{"pairs", 0, "I,J", "",
+             "Draw dimension J against dimension I, counted from 0. By default every pair is drawn.", true},
+            {"order", 0, "", "",
+             "Draw arrows from each of the first points to the next, and every point's coordinates against those of "
+             "the "
+             "next."}}},
+          {"Instead of points",
+           {{"discrepancy", 0, "", "",
+             "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
+             "is "
+             "computed in one and two dimensions."},
+            {"figure", 0, "WHICH", "",
+             "Draw a figure of the paper: 1, random and quasi-random points; 2, why a line should take one 4-D item.",
+             false, names_of(paper_figures)}}}},
+         "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
+         "  multipath points --sequence halton:2,3 --order -o order.svg\n"
+         "  multipath points --sequence sobol --count 2^12 --discrepancy\n"
+         "  multipath points --figure 2 -o figure2.svg\n"},
+        run_points};
 }
 
 } // namespace multipath

@@ -11,18 +11,6 @@ namespace multipath {
 
 namespace {
 
-CommandTable render_table()
-{
-    return {"render",
-            "make other pictures, meshes and tables from the state of a run, without solving again",
-            {{"STATE", false, false, {".state"}}},
-            {without_options(solution_output_group(), {"json", "verbose"}),
-             picture_option_group(),
-             {"Computation", {threads_option()}}},
-            "  multipath solve room.obj --lines 2^24 --state room.state\n"
-            "  multipath render room.state --eye 1,1,5 --target 2,1,0 --exposure 2 -o door.png\n"};
-}
-
 int run_render(const CommandLine& line)
 {
     for (const std::string& name : line.all("output"))
@@ -30,11 +18,10 @@ int run_render(const CommandLine& line)
             throw UsageError("--output: render writes no states; expected a picture, mesh or table, got " +
                              quoted_argument(name));
     const SavedRun saved = read_saved_run(line.operands()[0]);
-    const SolveJob job = read_solve_job(command_line_of(saved.description, forwarded_options(render_table(), line)));
-    std::vector<std::string> inputs = input_files(*saved.description.scene.file);
-    inputs.push_back(line.operands()[0]);
-    const std::vector<std::string> cameras = line.all("camera");
-    inputs.insert(inputs.end(), cameras.begin(), cameras.end());
+    const SolveJob job =
+        read_solve_job(command_line_of(saved.description, line.words(all_options(line.table().groups))));
+    const std::vector<std::string> inputs =
+        concatenated({input_files(*saved.description.scene.file), line.operands(), line.all("camera")});
     std::vector<PlannedOutput> outputs = open_solution_outputs(
         line.has("output") ? line.all("output") : default_outputs(line.operands()[0]), inputs, job.pictures.views);
     const Scene scene = restored(saved.description.scene);
@@ -51,7 +38,15 @@ int run_render(const CommandLine& line)
 
 Command render_command()
 {
-    return {render_table(), run_render};
+    return {{"render",
+             "make other pictures, meshes and tables from the state of a run, without solving again",
+             {{"STATE", false, false, {".state"}}},
+             {without_options(solution_output_group(), {"json", "verbose"}),
+              picture_option_group(),
+              {"Computation", {threads_option()}}},
+             "  multipath solve room.obj --lines 2^24 --state room.state\n"
+             "  multipath render room.state --eye 1,1,5 --target 2,1,0 --exposure 2 -o door.png\n"},
+            run_render};
 }
 
 } // namespace multipath

@@ -16,22 +16,6 @@ namespace multipath {
 
 namespace {
 
-CommandTable selftest_table()
-{
-    return {"selftest",
-            "check every method against known answers, or against each other in a scene",
-            {{"SCENE.obj", false, true, {".obj"}}},
-            {{"Selftest",
-              {{"output", 'o', "FILE", "", "Also write the table as CSV.", true},
-               {"case", 0, "NAME", "", "Check only this known scene, such as furnace.", true},
-               {"quiet", 'q', "", "", "Show only the checks that did not pass, and the last line."},
-               progress_option(),
-               {"seed", 0, "N", "1", "Seed of the random numbers; a correct program passes with any seed."},
-               threads_option()}},
-             scene_option_group()},
-            "Exit code 0: every check passed; 1: a check failed, as WRONG or INCONCLUSIVE.\n"};
-}
-
 /// Throws UsageError for options without effect: scene options without SCENE.obj, --case with it.
 void require_effect(const CommandLine& line)
 {
@@ -58,11 +42,8 @@ std::vector<KnownScene> chosen_scenes(const CommandLine& line)
 {
     const std::vector<std::string> wanted = line.all("case");
     std::vector<KnownScene> scenes = known_scenes();
-    std::vector<std::string_view> names;
-    for (const KnownScene& scene : scenes)
-        names.push_back(scene.name);
     for (const std::string& name : wanted)
-        require_choice("--case", name, names);
+        require_choice("--case", name, names_of(scenes));
     if (!wanted.empty())
         scenes.erase(std::remove_if(scenes.begin(), scenes.end(),
                                     [&](const KnownScene& scene) {
@@ -85,18 +66,18 @@ int run_selftest(const CommandLine& line)
         open_outputs(paths, own_scene ? std::vector{scene_path(line)} : std::vector<std::string>{}, {".csv"});
 
     std::optional<Scene> scene;
-    std::vector<std::string> comments = provenance(selftest_table(), line);
+    std::vector<std::string> comments = provenance(line);
     if (own_scene) {
         scene.emplace(read_scene(line, settings.threads));
         require_no_input(outputs, input_files(scene->file()));
-        comments = provenance(selftest_table(), line, *scene);
+        comments = provenance(line, *scene);
         settings = settings_for(*scene, settings);
     }
     std::vector<Check> checks;
     {
         Progress progress("selftest", progress_style(line));
-        const auto show = [&](double done) { progress.show(done); };
-        checks = scene ? scene_checks(*scene, settings, show) : known_scene_checks(known, settings, show);
+        checks = scene ? scene_checks(*scene, settings, std::ref(progress))
+                       : known_scene_checks(known, settings, std::ref(progress));
     }
     for (PlannedOutput& output : outputs)
         output.file.write(checks_csv(checks, comments));
@@ -110,7 +91,19 @@ int run_selftest(const CommandLine& line)
 
 Command selftest_command()
 {
-    return {selftest_table(), run_selftest};
+    return {{"selftest",
+             "check every method against known answers, or against each other in a scene",
+             {{"SCENE.obj", false, true, {".obj"}}},
+             {{"Selftest",
+               {{"output", 'o', "FILE", "", "Also write the table as CSV.", true},
+                {"case", 0, "NAME", "", "Check only this known scene, such as furnace.", true},
+                {"quiet", 'q', "", "", "Show only the checks that did not pass, and the last line."},
+                progress_option(),
+                {"seed", 0, "N", "1", "Seed of the random numbers; a correct program passes with any seed."},
+                threads_option()}},
+              scene_option_group()},
+             "Exit code 0: every check passed; 1: a check failed, as WRONG or INCONCLUSIVE.\n"},
+            run_selftest};
 }
 
 } // namespace multipath

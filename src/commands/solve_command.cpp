@@ -109,8 +109,7 @@ Scene with_adaptive_patches(SolveJob& job, Scene coarse)
     require_memory_for_reuse(job.line, job.options, coarse);
     require_memory_for_patches(job.line, coarse.file(), static_cast<double>(most));
     Progress progress("choosing patches", progress_style(job.line));
-    return adaptively_refined(coarse, most, job.options.memory, job.options.threads,
-                              [&](double done) { progress.show(done); });
+    return adaptively_refined(coarse, most, job.options.memory, job.options.threads, std::ref(progress));
 }
 
 /// With replicates, estimates the error that the patches cause, which is reported beside the noise. With a tolerance,
@@ -124,13 +123,12 @@ Scene with_patches_for_tolerance(SolveJob& job, const Scene& scene)
     const double memory = job.options.memory;
     const int threads = job.options.threads;
     Progress progress("choosing patches", progress_style(line));
-    const auto show = [&](double done) { progress.show(done); };
     if (!job.accuracy.tolerance || line.has("adaptive") || line.has("patches") || line.has("patch-size")) {
-        job.accuracy.patch_error = patch_error(scene, wanted, memory, threads, show).root_upper_bound();
+        job.accuracy.patch_error = patch_error(scene, wanted, memory, threads, std::ref(progress)).root_upper_bound();
         return scene;
     }
     const auto require_memory = [&](double patches) { require_memory_for_patches(line, scene.file(), patches); };
-    RefinedScene refined = refined_to_error(scene, wanted, require_memory, memory, threads, show);
+    RefinedScene refined = refined_to_error(scene, wanted, require_memory, memory, threads, std::ref(progress));
     job.accuracy.patch_error = refined.error;
     return std::move(refined.scene);
 }
@@ -208,12 +206,8 @@ int run_solve(const CommandLine& line)
     SolveJob job = read_solve_job(line);
     const StateOptions state = read_state_options(line);
     require_valid_shard(line, job, state);
-    std::vector<std::string> inputs = {scene_path(line)};
-    for (const std::string& path : {state.path, state.from})
-        if (!path.empty())
-            inputs.push_back(path);
-    const std::vector<std::string> cameras = line.all("camera");
-    inputs.insert(inputs.end(), cameras.begin(), cameras.end());
+    const std::vector<std::string> inputs =
+        concatenated({{scene_path(line)}, line.all("state"), line.all("from-state"), line.all("camera")});
     std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs, job.pictures.views);
 
     Scene coarse = read_scene(line, thread_count(line));

@@ -122,10 +122,10 @@ OptionGroup study_curve_options()
               "Methods of solve, or all; see 'multipath help methods'."},
              {"sequences", 's', "LIST", "random,sobol",
               "Sequences of solve, or all; also with bases, as in random,sobol,halton:2,7,3,5."},
-             {"pairings", 0, "LIST", "4d", "Any of " + listed(names_of(pairing_choices)) + "."},
-             {"line-orders", 0, "LIST", "shuffled", "Any of " + listed(names_of(line_order_choices)) + "."},
+             {"pairings", 0, "LIST", "4d", "Any of " + join(names_of(pairing_choices)) + "."},
+             {"line-orders", 0, "LIST", "shuffled", "Any of " + join(names_of(line_order_choices)) + "."},
              {"chords", 0, "LIST", "",
-              "Any of " + listed(names_of(chords_choices)) + ". By default those that each method takes in solve."}}};
+              "Any of " + join(names_of(chords_choices)) + ". By default those that each method takes in solve."}}};
 }
 
 /// One curve for each combination of the lists, without duplicates: for a method without global lines, for example, all
@@ -158,47 +158,6 @@ std::vector<CurvePlan> read_curves(const CommandLine& line)
 
 constexpr std::array<NamedValue<Abscissa>, 2> against_choices = {
     {{"lines", Abscissa::lines}, {"seconds", Abscissa::seconds}}};
-
-CommandTable study_table()
-{
-    const OptionGroup settings = without_options(
-        method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
-    return {"study",
-            "measure the error against the number of lines, for methods and sequences, and fit slopes",
-            {{"SCENE.obj", false, false, {".obj"}}},
-            {{"Output",
-              {{"output", 'o', "FILE", "",
-                "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
-               {"against", 0, "WHAT", "lines", "Horizontal axis of the plot.", false, names_of(against_choices)},
-               {"with", 0, "FILE.csv", "",
-                "Add the curve of another program, which is named after the file: a table with the columns lines and "
-                "relative_mse, and optionally standard_error and seconds.",
-                true},
-               {"cache", 0, "FOLDER", "",
-                "Folder for finished runs and the reference, so that the same study resumes where it was interrupted; "
-                "a program from other sources begins anew. By default the name of the first output with the extension "
-                ".cache; without an output, nothing is kept."},
-               {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."},
-               progress_option()}},
-             study_curve_options(),
-             {"Points",
-              {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
-               {"to", 0, "N", "2^20", "Largest number of lines of a point."},
-               {"replicates", 0, "R", "4",
-                "Number of runs of which each point is the mean. They have different seeds, or take different parts "
-                "of a sequence that has no seed."},
-               {"reference", 0, "FILE", "",
-                "Measure the error against this result, a table of patches or a state as solve writes them. By "
-                "default a reference is computed with 16 times the lines of the last point, and its own error "
-                "estimated. Against a state with other, much smaller patches the error is the total error of what "
-                "smooth shading shows, as 'multipath compare' measures it."}}},
-             {"Every run", settings.options},
-             scene_option_group()},
-            "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
-            "\n"
-            "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"
-            "  multipath study scenes/5cubes.obj --methods first-shot --sequences sobol,halton:2,7,3,5\n"};
-}
 
 std::vector<std::uint64_t> line_counts(const CommandLine& line)
 {
@@ -252,11 +211,6 @@ std::string checksum_of(const std::string& bytes)
     return format("%08x", crc32(bytes));
 }
 
-std::string bytes_of(const std::vector<Rgb>& values)
-{
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Rgb)};
-}
-
 /// The command `solve` whose result is the reference, as a user would type it. Its table records it, so that it can be
 /// reproduced.
 CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
@@ -264,26 +218,12 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
     std::vector<std::string> words = {
         line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(reference_factor * longest),
         "--sequence",       "sobol-owen", "--replicates", "4"};
-    for (const char* name : {"patch-size", "patches", "memory", "threads", "seed"})
-        if (line.has(name))
-            words.insert(words.end(), {"--" + std::string(name), line.text(name)});
-    for (const GivenOption& option : reading_options(line))
-        words.push_back("--" + option.name + (option.value.empty() ? "" : "=" + option.value));
+    std::vector<Option> shared = scene_option_group().options;
+    for (const char* name : {"threads", "seed"})
+        shared.push_back(*find_option(line.table(), name));
+    const std::vector<std::string> given = line.words(shared);
+    words.insert(words.end(), given.begin(), given.end());
     return {solve_table(), words};
-}
-
-/// Throws InputError if the patches of the table differ from those of the scene in number or area.
-void require_same_scene(const PatchTable& table, const Scene& scene)
-{
-    const auto refuse = [&](const std::string& difference) {
-        throw InputError(table.path + ": " + difference + "; expected a table of the same scene and patch size");
-    };
-    if (table.areas.size() != scene.patch_count())
-        refuse(std::to_string(table.areas.size()) + " patches, but the scene has " +
-               std::to_string(scene.patch_count()));
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (!scene.is_sky(scene.surface_of(i)) && !(std::abs(table.areas[i] - scene.area(i)) <= 1e-9 * scene.area(i)))
-            refuse("patch " + std::to_string(i) + " has another area than in the scene");
 }
 
 /// Identifies the sources of the program: results kept by a program from other sources are not used.
@@ -292,17 +232,9 @@ std::string program_fact()
     return "sources: " + sources_checksum();
 }
 
-std::string joined(const std::vector<std::string>& facts)
-{
-    std::string text;
-    for (const std::string& fact : facts)
-        text += fact + "; ";
-    return text;
-}
-
 Reference reference_of(const PatchTable& table, const Scene& scene)
 {
-    require_same_scene(table, scene);
+    require_same_patches(table, scene.weights(), "the scene");
     Reference reference{table.radiosity, {}};
     if (!table.standard_error.empty())
         reference.relative_square = expected_relative_square(table.areas, table.radiosity, table.standard_error);
@@ -326,7 +258,7 @@ Solution solve_as_typed(const CommandLine& command, const Scene& scene, const Co
 {
     const SolveOptions options = read_solve_options(command, "lines");
     Progress progress("reference", progress_style(line));
-    return solve_accurately(scene, options, read_accuracy(command), [&](double done) { progress.show(done); });
+    return solve_accurately(scene, options, read_accuracy(command), std::ref(progress));
 }
 
 /// Transfers a radiosity [W/m^2] to coarser patches: the area-weighted mean of the finer patches whose centres lie on
@@ -386,8 +318,8 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
         return reference_of(given.table, scene);
     }
     const CommandLine command = reference_command(line, plan.line_counts.back());
-    std::vector<std::string> facts = provenance(solve_table(), command, scene);
-    const std::string path = cache + "/reference-" + checksum_of(joined(facts)) + ".csv";
+    std::vector<std::string> facts = provenance(command, scene);
+    const std::string path = cache + "/reference-" + checksum_of(join(facts, "; ")) + ".csv";
     facts.push_back(program_fact());
     std::optional<OutputFile> file;
     if (!cache.empty()) {
@@ -413,8 +345,9 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     // The identity leaves out what differs between runs (curves, numbers of lines) and what does not change them.
     const std::vector<std::string> not_shared = {"methods", "sequences",  "pairings",  "line-orders", "chords", "from",
                                                  "to",      "replicates", "reference", "against",     "with"};
-    const std::string shared = joined(provenance(without_options(study_table(), not_shared), line, scene)) +
-                               "reference " + checksum_of(bytes_of(reference.radiosity));
+    const std::vector<Rgb>& radiosity = reference.radiosity;
+    const std::string bytes(reinterpret_cast<const char*>(radiosity.data()), radiosity.size() * sizeof(Rgb));
+    const std::string shared = join(provenance(line, scene, not_shared), "; ") + "; reference " + checksum_of(bytes);
     try {
         return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; " + program_fact());
     } catch (const std::runtime_error& error) {
@@ -447,17 +380,13 @@ int run_study_command(const CommandLine& line)
     const StudyPlan plan = read_plan(line);
     const int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
-    std::vector<std::string> inputs = {scene_path(line)};
-    if (line.has("reference"))
-        inputs.push_back(line.text("reference"));
-    const std::vector<std::string> others = line.all("with");
-    inputs.insert(inputs.end(), others.begin(), others.end());
-    const std::vector<Curve> with = other_curves(others);
+    const std::vector<std::string> inputs = concatenated({{scene_path(line)}, line.all("reference"), line.all("with")});
+    const std::vector<Curve> with = other_curves(line.all("with"));
     std::vector<PlannedOutput> outputs = open_outputs(paths, inputs, {".csv", ".svg"});
 
     const Scene scene = read_scene(line, threads);
     require_no_input(outputs, input_files(scene.file()));
-    const std::vector<std::string> comments = provenance(study_table(), line, scene);
+    const std::vector<std::string> comments = provenance(line, scene);
     const std::string cache = cache_folder(line, paths);
     always_end_at_interrupts(cache.empty() ? "" : "the same command resumes from the finished runs");
     const Reference reference = study_reference(line, scene, plan, cache);
@@ -469,7 +398,7 @@ int run_study_command(const CommandLine& line)
             return c.options.method->shards == Shards::added; // these need memory for pairs of patches
         });
         const int at_a_time = counts ? reuse_runs_at_a_time(line, scene, threads) : threads;
-        study = run_study(scene, reference, plan, journal, at_a_time, [&](double done) { progress.show(done); });
+        study = run_study(scene, reference, plan, journal, at_a_time, std::ref(progress));
     }
     study.curves.insert(study.curves.end(), with.begin(), with.end());
     const Abscissa against = line.choice("against", against_choices).value;
@@ -486,7 +415,44 @@ int run_study_command(const CommandLine& line)
 
 Command study_command()
 {
-    return {study_table(), run_study_command};
+    const OptionGroup settings = without_options(
+        method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
+    return {{"study",
+             "measure the error against the number of lines, for methods and sequences, and fit slopes",
+             {{"SCENE.obj", false, false, {".obj"}}},
+             {{"Output",
+               {{"output", 'o', "FILE", "",
+                 "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
+                {"against", 0, "WHAT", "lines", "Horizontal axis of the plot.", false, names_of(against_choices)},
+                {"with", 0, "FILE.csv", "",
+                 "Add the curve of another program, which is named after the file: a table with the columns lines and "
+                 "relative_mse, and optionally standard_error and seconds.",
+                 true},
+                {"cache", 0, "FOLDER", "",
+                 "Folder for finished runs and the reference, so that the same study resumes where it was interrupted; "
+                 "a program from other sources begins anew. By default the name of the first output with the extension "
+                 ".cache; without an output, nothing is kept."},
+                {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."},
+                progress_option()}},
+              study_curve_options(),
+              {"Points",
+               {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
+                {"to", 0, "N", "2^20", "Largest number of lines of a point."},
+                {"replicates", 0, "R", "4",
+                 "Number of runs of which each point is the mean. They have different seeds, or take different parts "
+                 "of a sequence that has no seed."},
+                {"reference", 0, "FILE", "",
+                 "Measure the error against this result, a table of patches or a state as solve writes them. By "
+                 "default a reference is computed with 16 times the lines of the last point, and its own error "
+                 "estimated. Against a state with other, much smaller patches the error is the total error of what "
+                 "smooth shading shows, as 'multipath compare' measures it."}}},
+              {"Every run", settings.options},
+              scene_option_group()},
+             "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
+             "\n"
+             "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"
+             "  multipath study scenes/5cubes.obj --methods first-shot --sequences sobol,halton:2,7,3,5\n"},
+            run_study_command};
 }
 
 } // namespace multipath

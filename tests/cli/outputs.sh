@@ -81,16 +81,6 @@ vanished_folder() {
 }
 check "a folder that vanishes during the work is reported" vanished_folder
 
-killed() {
-    mkdir parts && begin_endless -o parts/a.csv || return
-    ends 0 solve "$scene" $quick -o parts/a.csv && [ "$(ls -A parts | wc -l)" -eq 2 ] ||
-        { echo "the file of a run that lives was removed"; ls -A parts; return 1; }
-    end_endless
-    ls -A parts | grep -q '^\.a\.csv\.[a-z]*\.part$' || { echo "not to be recognised:"; ls -A parts; return 1; }
-    ends 0 solve "$scene" $quick -o parts/a.csv && [ "$(ls -A parts)" = a.csv ] || { ls -A parts; return 1; }
-}
-check "what a killed run has left is removed by the next, and nothing of a run that lives" killed
-
 # Closed streams.
 closed_output() {
     "$program" check "$scene" --lines 1000 >&- 2>err

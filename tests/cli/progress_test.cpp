@@ -30,7 +30,7 @@ std::string printed_at_half(ProgressStyle style)
     {
         Progress progress("shooting", style);
         std::this_thread::sleep_for(std::chrono::milliseconds(110));
-        progress.show(0.5);
+        progress(0.5);
     }
     std::fflush(stderr);
     dup2(kept, STDERR_FILENO);

@@ -50,20 +50,20 @@ Words shell_words(std::string_view text)
 }
 
 /// What is recorded of the command, in one line.
-std::string recorded_text(const CommandTable& table, const CommandLine& line)
+std::string recorded_text(const CommandLine& line)
 {
     const std::string key = "command: ";
-    const std::string fact = provenance(table, line).at(1);
+    const std::string fact = provenance(line).at(1);
     REQUIRE(fact.substr(0, key.size()) == key);
     return fact.substr(key.size());
 }
 
-CommandLine recorded_line(const CommandTable& table, const CommandLine& line)
+CommandLine recorded_line(const CommandLine& line)
 {
-    const Words words = shell_words(recorded_text(table, line));
+    const Words words = shell_words(recorded_text(line));
     REQUIRE(words.at(0) == "multipath");
-    REQUIRE(words.at(1) == table.name);
-    return {table, {words.begin() + 2, words.end()}};
+    REQUIRE(words.at(1) == line.table().name);
+    return {line.table(), {words.begin() + 2, words.end()}};
 }
 
 /// An operand of `check` as it is recorded.
@@ -71,7 +71,7 @@ std::string recorded_operand(const std::string& word)
 {
     const CommandTable table = {"check", "", {{"SCENE.obj"}}, {}, ""};
     const std::string start = "multipath check ";
-    const std::string text = recorded_text(table, CommandLine(table, {"--", word}));
+    const std::string text = recorded_text(CommandLine(table, {"--", word}));
     REQUIRE(text.substr(0, start.size()) == start);
     return text.substr(start.size());
 }
@@ -110,7 +110,7 @@ TEST_CASE("operands and values that look like options are recorded so that they 
     for (const Words& words : {Words{"--reference=--quick.csv", "room.obj"}, Words{"--seed", "2", "--", "-room.obj"},
                                Words{"--", "--two-sided"}, Words{"-"}, Words{"two\nlines.obj", "--methods=--x"}}) {
         const CommandLine line(table, words);
-        const CommandLine again = recorded_line(table, line);
+        const CommandLine again = recorded_line(line);
         CHECK(again.operands() == line.operands());
         for (const char* option : {"reference", "seed", "methods", "to"})
             CHECK(again.text(option) == line.text(option));
@@ -123,7 +123,7 @@ TEST_CASE("what was not given is recorded with its default, unless that would be
     const CommandTable table = command_named("solve").table;
     const auto recorded = [&](Words words, const char* option) {
         words.insert(words.begin(), "room.obj");
-        return recorded_line(table, CommandLine(table, words)).has(option);
+        return recorded_line(CommandLine(table, words)).has(option);
     };
     for (const char* option : {"lines", "replicates", "ratio", "shading", "exposure", "tone-map", "seed"})
         CHECK_MESSAGE(recorded({}, option), option);
@@ -146,7 +146,7 @@ TEST_CASE("options that do not change the result are not recorded")
 {
     const CommandTable table = command_named("solve").table;
     const CommandLine line(table, {"room.obj", "--threads", "2", "-o", "x.png", "--quiet", "--json", "--verbose"});
-    const CommandLine again = recorded_line(table, line);
+    const CommandLine again = recorded_line(line);
     for (const char* option : {"threads", "output", "quiet", "json", "verbose", "progress"}) {
         CHECK_FALSE(is_recorded(option));
         CHECK_FALSE(again.has(option));

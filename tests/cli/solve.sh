@@ -75,12 +75,12 @@ idle_lamp() {
 }
 check "light that reaches nothing is no picture, but a lamp alone is one" idle_lamp
 
-# In millimetres, white as the sky, and without a lamp: the error's command mends all of it.
+# In millimetres, white as the sky, and without a lamp: the options of the error mend all of it.
 units_and_white() {
     sed 's/^Kd .*/Kd 1 1 1.2/; /^Ke/d' "${scene%.obj}.mtl" >white.mtl && sed "s/^mtllib .*/mtllib white.mtl/" "$scene" >white.obj || return
     ends 1 solve white.obj --unit mm $quick && says err "is above 1" && says err "no emitter" || return
-    options=$(sed -n 's/.*multipath solve white.obj \(.*\)$/\1/p' err)
-    says err " --reflectance-limit 0.9 --lamp lamp=10 --unit mm" && ends 0 solve white.obj $options $quick -o white.csv &&
+    options="--unit mm $(sed -n 's/.*: \(--reflectance-limit .*\)$/\1/p' err)"
+    says err ": --reflectance-limit 0.9 --lamp lamp=10" && ends 0 solve white.obj $options $quick -o white.csv &&
         says white.csv " --unit mm" && says white.csv " --reflectance-limit 0.9" &&
         ends 0 solve "$scene" $quick -o m.csv && ends 0 solve "$scene" $quick --unit cm -o cm.csv &&
         awk -F, '/^[0-9]/ { area[FILENAME] += $10; sum[FILENAME] += $10 * $17 }
@@ -97,7 +97,7 @@ inside_out() {
         'usemtl wall' 'f 1 5 6 2' 'f 3 7 8 4' 'f 4 8 5 1' 'f 2 6 7 3' 'usemtl lamp' 'f 5 8 7 6' >outward.obj
     printf '%s\n' 'newmtl wall' 'Kd 0.5' 'newmtl lamp' 'Kd 0.5' 'Ke 1' >cube.mtl
     for method in reuse extended local; do
-        ends 1 solve outward.obj --lines 4096 --method $method --quiet -o a.csv && says err "inside out; --flip" || return
+        ends 1 solve outward.obj --lines 4096 --method $method --quiet -o a.csv && says err "emitters face away" || return
     done
     ends 0 solve outward.obj --lines 4096 --flip -o a.csv && says a.csv " --flip" &&
         ends 1 check outward.obj --lines 5000 && says out "--flip" && [ "$(grep -c WRONG out)" = 1 ] &&
@@ -165,7 +165,7 @@ check "an output named twice is refused" twice
 lamps() {
     sed 's/^Ke .*//' "$root/scenes/5cubes.mtl" >5cubes.mtl && cp "$scene" dark5.obj &&
         ends 1 solve dark5.obj $quick && says err "no emitter" && lines_are err 1 || return
-    options=$(sed -n 's/.*multipath solve dark5.obj \(--lamp [^ ]*\)$/\1/p' err)
+    options=$(sed -n 's/.*: \(--lamp [^ ]*\)$/\1/p' err)
     ends 0 solve dark5.obj $quick $options -o first.csv || return # what the error says
     ends 0 solve dark5.obj $quick --lamp lamp=27,25,23 -q -o lit.csv && ends 0 solve "$scene" $quick -q -o file.csv || return
     grep -v '^#' lit.csv >lit && grep -v '^#' file.csv >file && cmp lit file && grep -q "^# command: .* --lamp lamp=27,25,23 " lit.csv &&
@@ -183,7 +183,7 @@ check "a file without lamps is lit by the option that its error names, and faces
 daylight() {
     printf 'v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nv 1 0 1\nv 2 0 1\nv 2 0 2\nv 1 0 2\nv 1 1 1\nv 2 1 1\nv 2 1 2\nv 1 1 2\n' >open.obj
     printf 'f 1 4 3 2\nf 9 12 11 10\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 5\nf 5 6 7 8\n' >>open.obj
-    ends 1 solve open.obj $quick && says err "to light it by sky and sun: multipath solve open.obj --sky 10 --sun 150,40,20" &&
+    ends 1 solve open.obj $quick && says err "to light it by sky and sun: --sky 10 --sun 150,40,20" &&
         ends 0 solve open.obj $quick --sky 10 --sun 150,40,20 -o day.csv -o day.png -o day.glb --state day.state --json -o day.obj || return
     [ "$(grep -c ',sky,' day.csv)" = 6 ] && ! grep ',sky,' day.csv | cut -d, -f10 | grep -qv '^0$' && ! grep -q '"name": *"sky' day.glb && ! grep -q 'usemtl sky' day.obj &&
         [ "$(sed -n 's/.*"area_m2": //p' out)" = "22," ] && ends 0 compare day.csv day.state && says out "relative 0, its root 0" &&

@@ -188,9 +188,9 @@ average() {
 check "shards of all methods but reuse are averaged" average
 
 refused_merges() {
-    ends 1 merge count-1.state count-3.state -o x.csv && says err "shard 2/3 is missing" &&
-        ends 1 merge count-1.state count-1.state count-2.state -o x.csv && says err "both shard 1/3" &&
-        ends 1 merge count-1.state count-2.state -o x.csv && says err "shard 3/3 is missing" || return
+    ends 1 merge count-1.state count-3.state -o x.csv && says err "each of the shards 1 to 3 once, got count-1.state (1), count-3.state (3)" &&
+        ends 1 merge count-1.state count-1.state count-2.state -o x.csv && says err "once, got count-1.state (1), count-1.state (1)" &&
+        ends 1 merge count-1.state count-2.state -o x.csv && says err "once, got count-1.state (1), count-2.state (2)" || return
     ends 0 solve "$scene" $quick --lines 50000 --seed 2 --sequence random --shard 2/3 --state seed.state &&
         ends 1 merge count-1.state seed.state count-3.state -o x.csv && says err "sequence" || return
     ends 1 merge count-1.state ray-2.state count-3.state -o x.csv && says err "not as far" && [ ! -e x.csv ]

@@ -108,7 +108,7 @@ references() {
         ends 0 study "$scene" $few --methods global --sequences sobol --reference ref.csv && says out "reference: relative MSE" &&
         ends 0 solve "$scene" --patch-size 0.5 --lines 2^16 --quiet -o plain.csv &&
         ends 0 study "$scene" $few --methods global --sequences sobol --reference plain.csv && says out "of unknown error" || return
-    ends 1 study "$scene" --from 100 --to 400 --patch-size 0.25 --reference ref.csv && says err "24 patches, but the scene has 96" || return
+    ends 1 study "$scene" --from 100 --to 400 --patch-size 0.25 --reference ref.csv && says err "24 patches, expected 96 as in the scene" || return
     ends 1 study "$root/scenes/furnace.obj" --from 100 --to 400 --reference "$root/tests/fixtures/reference/5cubes-grey-reference.csv" && says err "5cubes-grey-reference.csv"
 }
 check "a reference is read from a table, its error if it has one, and one of another scene is refused" references

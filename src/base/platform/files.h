@@ -16,12 +16,9 @@ extern const std::string_view folder_separators;
 /// Whether names that differ only in upper and lower case are names of one file.
 extern const bool names_ignore_case;
 
-/// Creates an empty file, open for writing, and locks it: until it is closed, remove_if_unlocked() of any program
-/// leaves it. `is_private`: only the user may read it. -1: see errno; EEXIST if the name is taken.
-int create_locked_file(const std::string& path, bool is_private);
-
-/// Removes a file that no running program has created and locked. Errors are ignored.
-void remove_if_unlocked(const std::string& path);
+/// Creates an empty file, open for writing. `is_private`: only the user may read it. -1: see errno; EEXIST if the name
+/// is taken.
+int create_file(const std::string& path, bool is_private);
 
 /// Opens a device or a pipe for writing; -1: see errno.
 int open_device(const std::string& path);

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,16 +16,6 @@ const std::string_view folder_separators = "/";
 const bool names_ignore_case = false;
 
 namespace {
-
-/// Locks a new file. False if another run has locked or removed it in between, as abandoned. True also on file systems
-/// without locks, where no other run can lock it either.
-bool lock(int descriptor)
-{
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-        return errno != EWOULDBLOCK;
-    struct stat status = {};
-    return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
-}
 
 int flush(int descriptor)
 {
@@ -39,24 +28,9 @@ int flush(int descriptor)
 
 } // namespace
 
-int create_locked_file(const std::string& path, bool is_private)
+int create_file(const std::string& path, bool is_private)
 {
-    const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, is_private ? 0600 : 0666);
-    if (file < 0 || lock(file))
-        return file;
-    close(file);
-    errno = EEXIST;
-    return -1;
-}
-
-void remove_if_unlocked(const std::string& path)
-{
-    const int file = open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0)
-        return;
-    if (flock(file, LOCK_EX | LOCK_NB) == 0)
-        unlink(path.c_str());
-    close(file);
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, is_private ? 0600 : 0666);
 }
 
 int open_device(const std::string& path)

@@ -38,8 +38,7 @@ int error_number(DWORD error)
     }
 }
 
-/// Opens a file; -1: see errno. Programs that do not share writing exclude each other, but the file can be renamed and
-/// removed while it is open.
+/// Opens a file; -1: see errno. With FILE_SHARE_DELETE it can be renamed and removed while it is open.
 int opened(const std::string& path, DWORD disposition, DWORD sharing)
 {
     const HANDLE handle =
@@ -53,18 +52,9 @@ int opened(const std::string& path, DWORD disposition, DWORD sharing)
 
 } // namespace
 
-int create_locked_file(const std::string& path, bool)
+int create_file(const std::string& path, bool)
 {
     return opened(path, CREATE_NEW, FILE_SHARE_READ | FILE_SHARE_DELETE);
-}
-
-void remove_if_unlocked(const std::string& path)
-{
-    const int file = opened(path, OPEN_EXISTING, FILE_SHARE_READ | FILE_SHARE_DELETE);
-    if (file < 0)
-        return;
-    _close(file);
-    DeleteFileA(path.c_str());
 }
 
 int open_device(const std::string& path)

@@ -15,10 +15,8 @@ using SignalHandler = void (*)(int);
 /// stays ignored. The next call replaces the handler. Async-signal-safe.
 void handle_end_signals(SignalHandler handler);
 
-/// Sets the handler of start_alarm().
-void handle_alarm(SignalHandler handler);
 /// Calls the handler after this time [s]. Async-signal-safe.
-void start_alarm(unsigned seconds);
+void start_alarm(unsigned seconds, SignalHandler handler);
 
 /// Calls the handler when a mapped file cannot be read: it was truncated meanwhile, or its disk fails.
 void handle_failed_mapping(SignalHandler handler);

@@ -37,13 +37,9 @@ void handle_end_signals(SignalHandler handler)
     }
 }
 
-void handle_alarm(SignalHandler handler)
+void start_alarm(unsigned seconds, SignalHandler handler)
 {
     handle(SIGALRM, handler);
-}
-
-void start_alarm(unsigned seconds)
-{
     alarm(seconds);
 }
 

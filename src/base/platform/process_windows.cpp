@@ -41,13 +41,9 @@ void handle_end_signals(SignalHandler handler)
         SetConsoleCtrlHandler(on_console_event, TRUE);
 }
 
-void handle_alarm(SignalHandler handler)
+void start_alarm(unsigned seconds, SignalHandler handler)
 {
     alarm_handler = handler;
-}
-
-void start_alarm(unsigned seconds)
-{
     const HANDLE thread = CreateThread(nullptr, 0, ring, reinterpret_cast<void*>(std::uintptr_t{seconds}), 0, nullptr);
     if (thread != nullptr)
         CloseHandle(thread);

@@ -8,9 +8,7 @@
 #include "base/platform/process.h"
 #include "cli/files/output_file.h"
 
-#include <array>
 #include <atomic>
-#include <cstddef>
 
 namespace multipath {
 
@@ -26,71 +24,61 @@ std::atomic<int> delays{0};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free,
               "signal handlers read them");
 
-/// Composes and writes the last line of the program, without the heap.
-class LastLine
+/// Writes a text with '?' for control characters, without the heap.
+void write_text(const char* text)
 {
-public:
-    /// On a terminal the text begins on a new line: the current one may show a progress bar or ^C.
-    void begin(const char* text)
-    {
-        if (standard_error_is_terminal())
-            text_[size_++] = '\n';
-        add(text);
+    for (; *text != '\0'; ++text) {
+        const char c = static_cast<unsigned char>(*text) < 0x20 || *text == 0x7f ? '?' : *text;
+        write_to_standard_error(&c, 1);
     }
-    void add(const char* text)
-    {
-        for (; *text != '\0' && size_ < text_.size() - 1; ++text)
-            text_[size_++] = static_cast<unsigned char>(*text) < 0x20 || *text == 0x7f ? '?' : *text;
-    }
-    void add_output(const char* name)
-    {
-        add(outputs_++ == 0 ? "; not written: " : ", ");
-        add(name);
-    }
-    [[noreturn]] void end_program(int exit_code)
-    {
-        text_[size_++] = '\n';
-        write_to_standard_error(text_.data(), size_);
-        end_process(exit_code);
-    }
+}
 
-private:
-    std::array<char, 4096> text_{};
-    std::size_t size_ = 0;
-    int outputs_ = 0;
-};
+/// Begins the last line of the program. On a terminal it is a new line: the current one may show a progress bar or ^C.
+void begin_last_line(const char* text)
+{
+    if (standard_error_is_terminal())
+        write_to_standard_error("\n", 1);
+    write_text(text);
+}
 
-LastLine last_line;
+[[noreturn]] void end_last_line(int exit_code)
+{
+    write_to_standard_error("\n", 1);
+    end_process(exit_code);
+}
 
 extern "C" void end_at_once(int)
 {
     remove_unfinished();
     const char* const hint = end_hint;
-    last_line.begin("interrupted");
-    last_line.add(*hint != '\0' ? "; " : "");
-    last_line.add(hint);
-    last_line.end_program(exit_interrupted);
+    begin_last_line("interrupted");
+    write_text(*hint != '\0' ? "; " : "");
+    write_text(hint);
+    end_last_line(exit_interrupted);
 }
 
 extern "C" void end_with_what_is_complete(int)
 {
-    last_line.begin("interrupted");
-    settle_unfinished([](const char* target) { last_line.add_output(target); });
-    last_line.end_program(exit_interrupted);
+    begin_last_line("interrupted");
+    settle_unfinished([](const char* target) {
+        write_text("; not written: ");
+        write_text(target);
+    });
+    end_last_line(exit_interrupted);
 }
 
 extern "C" void end_failed(int)
 {
     remove_unfinished();
-    last_line.begin("multipath: a file cannot be read to its end: it was truncated meanwhile, or its disk fails");
-    last_line.end_program(exit_failed);
+    begin_last_line("multipath: a file cannot be read to its end: it was truncated meanwhile, or its disk fails");
+    end_last_line(exit_failed);
 }
 
 /// Handler of the alarm, two seconds after the first signal.
 extern "C" void end_in_time(int signal)
 {
     if (delays > 0)
-        start_alarm(1);
+        start_alarm(1, end_in_time);
     else
         end_with_what_is_complete(signal);
 }
@@ -99,7 +87,7 @@ extern "C" void note_interrupt(int)
 {
     signal_received = 1;
     handle_end_signals(end_with_what_is_complete);
-    start_alarm(seconds_to_end);
+    start_alarm(seconds_to_end, end_in_time);
 }
 
 } // namespace
@@ -119,7 +107,6 @@ void watch_interrupts()
 {
     if (always_ends != 0 || signal_received != 0)
         return;
-    handle_alarm(end_in_time);
     handle_end_signals(note_interrupt);
 }
 

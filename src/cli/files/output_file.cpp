@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/platform/files.h"
+#include "base/text_format.h"
 #include "cli/options/choices.h"
 #include "scene/text/text_words.h"
 
@@ -9,10 +10,7 @@
 #include <array>
 #include <atomic>
 #include <cassert>
-#include <cctype>
 #include <cerrno>
-#include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -23,75 +21,11 @@
 
 namespace multipath {
 
-// A part file is locked while the program that made it runs. A part file that is not locked is abandoned and may be
-// removed. This works however a run ends, even by SIGKILL, which runs no destructors. O_TMPFILE (a file without a name
-// until it is complete) does not work on every file system; and with names users can see the space that a killed run
-// has taken.
-
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr std::size_t letter_count = 6;
-constexpr std::string_view ending = ".part";
-
-/// Six letters that differ between processes, files and attempts; create_locked_file() guarantees a new name.
-std::string letters(unsigned attempt)
-{
-    static const std::uint64_t process = std::random_device{}();
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    auto bits = (static_cast<std::uint64_t>(now) + attempt) * 0x9E3779B97F4A7C15u ^ process;
-    std::string result;
-    for (std::size_t i = 0; i < letter_count; ++i, bits /= 26)
-        result += static_cast<char>('a' + bits % 26);
-    return result;
-}
-
-/// Prefix of the names of all part files of a target.
-std::string name_start(const std::string& target)
-{
-    // 200 bytes leave room for the rest below the usual limit of 255.
-    return "." + target.substr(folder_of(target).size(), 200) + ".";
-}
-
-bool is_part_name(const std::string& name, const std::string& start)
-{
-    return name.size() == start.size() + letter_count + ending.size() && name.compare(0, start.size(), start) == 0 &&
-           name.compare(start.size() + letter_count, ending.size(), ending) == 0 &&
-           name.find_first_not_of("abcdefghijklmnopqrstuvwxyz", start.size()) == start.size() + letter_count;
-}
-
-void remove_abandoned(const std::string& target)
-{
-    const std::string folder = folder_of(target);
-    const std::string start = name_start(target);
-    std::error_code error;
-    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
-    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (is_part_name(name, start))
-            remove_if_unlocked(folder + name);
-    }
-}
-
-} // namespace
 
 std::string folder_of(const std::string& path)
 {
     return path.substr(0, path.find_last_of(folder_separators) + 1); // npos + 1 is 0
-}
-
-PartFile create_part_file(const std::string& target, bool is_private)
-{
-    remove_abandoned(target);
-    PartFile file;
-    for (unsigned attempt = 0; attempt < 100; ++attempt) {
-        file.path = folder_of(target) + name_start(target) + letters(attempt) + std::string(ending);
-        file.descriptor = create_locked_file(file.path, is_private);
-        if (file.descriptor >= 0 || errno != EEXIST)
-            return file;
-    }
-    return {file.path, -1};
 }
 
 namespace {
@@ -101,64 +35,58 @@ namespace {
 
 enum class State { empty, changing, full, complete };
 
-struct Slot
+} // namespace
+
+struct UnfinishedSlot
 {
     std::atomic<State> state{State::empty};
     std::array<char, 4096> path{}; ///< no system opens longer ones
     std::array<char, 4096> target{};
 };
 
-std::array<Slot, 64> slots;
+namespace {
+
+std::array<UnfinishedSlot, 64> slots;
 static_assert(std::atomic<State>::is_always_lock_free, "a signal handler reads it");
 
 } // namespace
 
-Unfinished::Unfinished(const std::string& path, const std::string& target)
+void ForgetUnfinished::operator()(UnfinishedSlot* slot) const noexcept
 {
-    const std::size_t longest = std::max(path.size(), target.size());
-    for (std::size_t n = 0; n < slots.size() && longest < slots[n].path.size(); ++n) {
+    slot->state = State::empty;
+}
+
+Unfinished unfinished(const std::string& path, const std::string& target)
+{
+    for (UnfinishedSlot& slot : slots) {
         State expected = State::empty;
-        if (!slots[n].state.compare_exchange_strong(expected, State::changing))
+        if (std::max(path.size(), target.size()) >= slot.path.size() ||
+            !slot.state.compare_exchange_strong(expected, State::changing))
             continue;
-        std::memcpy(slots[n].path.data(), path.c_str(), path.size() + 1);
-        std::memcpy(slots[n].target.data(), target.c_str(), target.size() + 1);
-        slots[n].state = State::full;
-        slot_ = static_cast<int>(n);
-        return;
+        std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
+        std::memcpy(slot.target.data(), target.c_str(), target.size() + 1);
+        slot.state = State::full;
+        return Unfinished(&slot);
     }
+    return nullptr;
 }
 
-Unfinished::Unfinished(Unfinished&& other) noexcept : slot_(std::exchange(other.slot_, none)) {}
-
-Unfinished& Unfinished::operator=(Unfinished&& other) noexcept
+void complete(const Unfinished& file) noexcept
 {
-    forget();
-    slot_ = std::exchange(other.slot_, none);
-    return *this;
-}
-
-void Unfinished::complete() noexcept
-{
-    if (slot_ != none)
-        slots[static_cast<std::size_t>(slot_)].state = State::complete;
-}
-
-void Unfinished::forget() noexcept
-{
-    if (slot_ != none)
-        slots[static_cast<std::size_t>(std::exchange(slot_, none))].state = State::empty;
+    if (file)
+        file->state = State::complete;
 }
 
 void remove_unfinished() noexcept
 {
-    for (const Slot& slot : slots)
+    for (const UnfinishedSlot& slot : slots)
         if (slot.state == State::full || slot.state == State::complete)
             remove_file(slot.path.data());
 }
 
 void settle_unfinished(void (*not_written)(const char* target)) noexcept
 {
-    for (const Slot& slot : slots) {
+    for (const UnfinishedSlot& slot : slots) {
         const State state = slot.state;
         if (state == State::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
             continue;
@@ -176,6 +104,26 @@ void settle_unfinished(void (*not_written)(const char* target)) noexcept
 namespace {
 
 const std::string standard_output = "standard output";
+
+/// Creates the temporary file of a target, ".NAME.XXXXXX.part" in its folder, sets its path and returns its descriptor;
+/// -1: see errno. `is_private`: only the user may read it.
+int create_part_file(const std::string& target, bool is_private, std::string& path)
+{
+    // 200 bytes of the name leave room for the rest below the usual limit of 255.
+    const std::string start = folder_of(target) + "." + target.substr(folder_of(target).size(), 200) + ".";
+    std::random_device random;
+    int descriptor = -1;
+    for (int attempt = 0; attempt < 100 && descriptor < 0; ++attempt) {
+        std::string letters(6, 'a');
+        for (char& letter : letters)
+            letter = static_cast<char>('a' + random() % 26);
+        path = start + letters + ".part";
+        descriptor = create_file(path, is_private);
+        if (descriptor < 0 && errno != EEXIST)
+            break;
+    }
+    return descriptor;
+}
 
 [[noreturn]] void fail(const std::string& name, int error)
 {
@@ -240,12 +188,12 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
     if (const int reason = fs::exists(status) ? check_writable(target_) : 0)
         fail(name_, reason);
     // A private target must not be readable by others before it has the permissions of the old file.
-    const PartFile file = create_part_file(target_, fs::exists(status));
-    if (file.descriptor < 0)
+    std::string path_of_part;
+    descriptor_ = create_part_file(target_, fs::exists(status), path_of_part);
+    if (descriptor_ < 0)
         fail(name_, errno);
-    descriptor_ = file.descriptor;
-    temporary_ = file.path;
-    unfinished_ = Unfinished(temporary_, target_);
+    temporary_ = path_of_part;
+    unfinished_ = unfinished(temporary_, target_);
     if (fs::exists(status))
         fs::permissions(temporary_, status.permissions(), error);
     if (error && fs::exists(status)) {
@@ -278,7 +226,7 @@ void OutputFile::complete()
 {
     assert(descriptor_ >= 0);
     discard_at(finish_writing(descriptor_, !temporary_.empty()));
-    unfinished_.complete();
+    multipath::complete(unfinished_);
 }
 
 void OutputFile::commit()
@@ -289,8 +237,8 @@ void OutputFile::commit()
         discard_at(error != 0 ? error : flush_folder(folder_of(target_)));
     }
     temporary_.clear();
-    unfinished_ = {};
-    close_file(std::exchange(descriptor_, -1)); // after the rename: closing the descriptor releases the lock
+    unfinished_.reset();
+    close_file(std::exchange(descriptor_, -1));
 }
 
 void OutputFile::discard_at(int error)
@@ -308,7 +256,7 @@ void OutputFile::discard() noexcept
     if (!temporary_.empty())
         remove_file(temporary_.c_str());
     temporary_.clear();
-    unfinished_ = {};
+    unfinished_.reset();
 }
 
 namespace {
@@ -329,17 +277,6 @@ void refuse_input(const std::string& path, const std::vector<std::string>& input
             throw UsageError("--output: '" + path + "' is an input; expected another file");
 }
 
-std::string lower_case_extension(const std::string& path)
-{
-    const std::size_t dot = path.find_last_of('.');
-    if (dot == std::string::npos || dot < folder_of(path).size())
-        return "";
-    std::string extension = path.substr(dot);
-    for (char& c : extension)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
 } // namespace
 
 bool same_file(const std::string& a, const std::string& b)
@@ -348,36 +285,27 @@ bool same_file(const std::string& a, const std::string& b)
     if (fs::exists(a, error) && fs::exists(b, error))
         return fs::equivalent(a, b, error);
     // Files that do not exist yet: the same name in the same folder.
-    const std::string end_a = follow_links(a);
-    const std::string end_b = follow_links(b);
-    const auto folder = [](const std::string& path) { // Windows knows no folder whose name ends in a separator
-        return (fs::path(path).has_root_path() ? "" : "./") + folder_of(path) + ".";
+    const auto place = [&](const std::string& path) {
+        return fs::weakly_canonical(fs::absolute(follow_links(path), error), error).string();
     };
-    const auto name = [](const std::string& path) { return path.substr(folder_of(path).size()); };
-    return !end_a.empty() && !end_b.empty() &&
-           (names_ignore_case ? equal_but_for_case(name(end_a), name(end_b)) : name(end_a) == name(end_b)) &&
-           fs::equivalent(folder(end_a), folder(end_b), error);
+    return names_ignore_case ? equal_but_for_case(place(a), place(b)) : place(a) == place(b);
 }
 
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions)
 {
     if (path == "-")
         return extensions.front();
-    const std::string extension = lower_case_extension(path);
-    const auto ends_in = [&](std::string_view known) { // "_lightmap.glb" is longer than an extension
-        const std::size_t stem = known.size() - extension.size();
-        return known.front() == '_' && known.size() > extension.size() && path.size() >= known.size() &&
-               known.substr(stem) == extension &&
-               path.compare(path.size() - known.size(), stem, known.substr(0, stem)) == 0;
-    };
+    const std::string name = lower_case(path.substr(folder_of(path).size()));
+    std::string_view longest;
     for (const std::string_view known : extensions)
-        if (ends_in(known))
-            return known;
-    for (const std::string_view known : extensions)
-        if (extension == known)
-            return known;
-    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " +
-                     listed(extensions) + did_you_mean(extension, {extensions.begin(), extensions.end()}));
+        if (known.size() > longest.size() && known.size() <= name.size() &&
+            known == std::string_view(name).substr(name.size() - known.size()))
+            longest = known;
+    if (!longest.empty())
+        return longest;
+    const std::string extension = name.substr(std::min(name.find_last_of('.'), name.size()));
+    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " + join(extensions) +
+                     did_you_mean(extension, {extensions.begin(), extensions.end()}));
 }
 
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -8,44 +9,24 @@
 
 namespace multipath {
 
-/// A temporary output file, to be renamed to its target NAME once it is complete: ".NAME.XXXXXX.part" in the folder of
-/// the target, with at most 200 bytes of NAME. The file is locked while its descriptor is open (create_locked_file).
-struct PartFile
-{
-    std::string path;
-    int descriptor = -1; ///< open for writing; -1: the file could not be created, see errno
-};
-
-/// Creates an empty part file. First removes abandoned part files of the same target: killed runs have left them, and
-/// nobody locks them any more. `is_private`: only the user may read it.
-PartFile create_part_file(const std::string& target, bool is_private);
-
 /// The folder of a path, including the last slash; "" for the working directory.
 std::string folder_of(const std::string& path);
 
-/// Registers a part file with the signal handlers, since a signal ends the program without running destructors. While
-/// the object exists, remove_unfinished() removes the file. At most 64 files with paths below 4096 bytes can be
-/// registered at a time; a signal leaves other files for the next run to remove.
-class Unfinished
+/// The registration of a part file with the signal handlers, since a signal ends the program without running
+/// destructors. While it exists, remove_unfinished() removes the file.
+struct UnfinishedSlot;
+struct ForgetUnfinished
 {
-public:
-    Unfinished() = default; ///< registers nothing
-    /// `target`: the name that the file will get.
-    Unfinished(const std::string& path, const std::string& target);
-    ~Unfinished() { forget(); }
-    Unfinished(Unfinished&& other) noexcept;
-    Unfinished& operator=(Unfinished&& other) noexcept;
-
-    /// Marks the file as complete: only the rename is left.
-    void complete() noexcept;
-
-private:
-    void forget() noexcept;
-
-    static constexpr int none = -1;
-
-    int slot_ = none;
+    void operator()(UnfinishedSlot* slot) const noexcept;
 };
+using Unfinished = std::unique_ptr<UnfinishedSlot, ForgetUnfinished>;
+
+/// Registers a part file that will be renamed to `target`. At most 64 files with paths below 4096 bytes can be
+/// registered at a time; others get null, and a signal leaves them for the next run to remove.
+Unfinished unfinished(const std::string& path, const std::string& target);
+
+/// Marks the file as complete: only the rename is left. No effect on null.
+void complete(const Unfinished& file) noexcept;
 
 /// Removes all registered files, complete or not. Async-signal-safe.
 void remove_unfinished() noexcept;
@@ -104,9 +85,8 @@ struct PlannedOutput
 };
 
 /// The entry of `extensions` (string literals such as ".csv") with which the name of a file ends; the first entry for
-/// `-`. The extension of the file may be in upper or lower case. An entry that begins with "_", such as
-/// "_lightmap.glb", is a longer ending: it takes precedence over the plain extension, and its part before the dot must
-/// match exactly. Throws UsageError with the list of entries if none fits.
+/// `-`. The name may be in upper or lower case. Longer entries, such as "_lightmap.glb", take precedence over plain
+/// extensions. Throws UsageError with the list of entries if none fits.
 std::string_view output_extension(const std::string& path, const std::vector<std::string_view>& extensions);
 
 /// Opens all outputs, so that an unwritable one is reported before the work. Throws UsageError for an extension that is

@@ -1,34 +1,22 @@
 #include "cli/files/standard_streams.h"
 
+#include "base/text_format.h"
 #include "cli/files/output_file.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace multipath {
 
-namespace {
-
-void replace_controls(std::string& text)
+void print(std::string_view text)
 {
-    const auto is_control = [](unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7f; };
-    std::replace_if(text.begin(), text.end(), is_control, '?');
-}
-
-} // namespace
-
-void print(std::string text)
-{
-    replace_controls(text);
     OutputFile output("-");
-    output.write(text);
+    output.write(without_controls(text, "\n\t"));
     output.commit();
 }
 
-void print_note(std::string text)
+void print_note(std::string_view text)
 {
-    replace_controls(text);
-    std::fputs(text.c_str(), stderr);
+    std::fputs(without_controls(text, "\n\t").c_str(), stderr);
 }
 
 } // namespace multipath

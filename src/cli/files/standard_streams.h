@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 namespace multipath {
 
@@ -8,9 +8,9 @@ namespace multipath {
 // printed as '?'.
 
 /// Prints on standard output, unbuffered. Throws OutputError, or ReaderGone if the reader has closed it.
-void print(std::string text);
+void print(std::string_view text);
 
 /// Prints on standard error; errors are ignored.
-void print_note(std::string text);
+void print_note(std::string_view text);
 
 } // namespace multipath

@@ -15,8 +15,8 @@ std::string quoted_argument(std::string_view text);
 /// letter, or two neighbours swapped. Leading dashes and upper or lower case make no difference.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// The words as a list: "a, b, c". `before_last` replaces the last comma: "a, b or c" for " or ".
-std::string listed(const std::vector<std::string_view>& words, std::string_view before_last = ", ");
+/// The words as a list: "a, b or c".
+std::string alternatives(const std::vector<std::string_view>& words);
 
 /// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'; did you mean A?" unless `word` is among the choices.
 void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices);

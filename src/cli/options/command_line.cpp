@@ -16,20 +16,13 @@ std::string dashed(const Option& option)
     return "--" + std::string(option.name);
 }
 
-std::string operand_names(const std::vector<Operand>& operands, std::size_t first)
-{
-    std::string names;
-    for (std::size_t i = first; i < operands.size(); ++i)
-        names.append(names.empty() ? "" : " ").append(operand_text(operands[i]));
-    return names;
-}
-
-/// The option with this short name; nullptr if the table has none.
-const Option* find_short_option(const CommandTable& table, char short_name)
+/// The first option for which the predicate holds; nullptr if there is none.
+template <class Predicate>
+const Option* first_option(const CommandTable& table, const Predicate& holds)
 {
     for (const OptionGroup& group : table.groups)
         for (const Option& option : group.options)
-            if (option.short_name == short_name && short_name != 0)
+            if (holds(option))
                 return &option;
     return nullptr;
 }
@@ -88,7 +81,7 @@ private:
     void read_short(const std::string& argument)
     {
         for (std::size_t i = 1; i < argument.size() && !help_wanted(); ++i) {
-            const Option* option = find_short_option(table_, argument[i]);
+            const Option* option = first_option(table_, [&](const Option& o) { return o.short_name == argument[i]; });
             if (argument[i] == 'h') {
                 given["help"] = {""};
             } else if (option == nullptr) {
@@ -130,9 +123,8 @@ private:
     [[noreturn]] void refuse_unknown(const std::string& typed) const
     {
         std::vector<std::string> names = {"--help"};
-        for (const OptionGroup& group : table_.groups)
-            for (const Option& option : group.options)
-                names.push_back(dashed(option));
+        for (const Option& option : all_options(table_.groups))
+            names.push_back(dashed(option));
         throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
     }
 
@@ -141,11 +133,11 @@ private:
         const std::vector<Operand>& wanted = table_.operands;
         const bool last_is_optional = !wanted.empty() && wanted.back().optional;
         if (operands.size() + (last_is_optional ? 1 : 0) < wanted.size())
-            throw UsageError("missing " + operand_names(wanted, operands.size()));
+            throw UsageError("missing " +
+                             operands_text({wanted.begin() + std::ptrdiff_t(operands.size()), wanted.end()}));
         if (operands.size() > wanted.size() && (wanted.empty() || !wanted.back().repeatable))
             throw UsageError("unexpected argument " + quoted_argument(operands[wanted.size()]) + ": '" +
-                             std::string(table_.name) + "' takes " +
-                             (wanted.empty() ? "none" : operand_names(wanted, 0)));
+                             std::string(table_.name) + "' takes " + (wanted.empty() ? "none" : operands_text(wanted)));
         for (std::size_t i = 0; i < operands.size(); ++i) {
             const Operand& operand = wanted[std::min(i, wanted.size() - 1)];
             if (!operand.choices.empty())
@@ -160,24 +152,14 @@ private:
 
 } // namespace
 
-Option Option::with_default_if(std::vector<OptionValue> others) const
+std::string operands_text(const std::vector<Operand>& operands)
 {
-    Option option = *this;
-    option.default_depends_on = std::move(others);
-    return option;
-}
-
-Option Option::that_may_change() const
-{
-    Option option = *this;
-    option.may_change = true;
-    return option;
-}
-
-std::string operand_text(const Operand& operand)
-{
-    const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");
-    return operand.optional ? "[" + text + "]" : text;
+    std::vector<std::string> texts;
+    for (const Operand& operand : operands) {
+        const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");
+        texts.push_back(operand.optional ? "[" + text + "]" : text);
+    }
+    return join(texts, " ");
 }
 
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
@@ -189,20 +171,17 @@ OptionGroup without_options(OptionGroup group, const std::vector<std::string>& n
     return group;
 }
 
-CommandTable without_options(CommandTable table, const std::vector<std::string>& names)
+std::vector<Option> all_options(const std::vector<OptionGroup>& groups)
 {
-    for (OptionGroup& group : table.groups)
-        group = without_options(group, names);
-    return table;
+    std::vector<Option> options;
+    for (const OptionGroup& group : groups)
+        options.insert(options.end(), group.options.begin(), group.options.end());
+    return options;
 }
 
 const Option* find_option(const CommandTable& table, std::string_view name)
 {
-    for (const OptionGroup& group : table.groups)
-        for (const Option& option : group.options)
-            if (option.name == name)
-                return &option;
-    return nullptr;
+    return first_option(table, [&](const Option& option) { return option.name == name; });
 }
 
 std::string option_text(std::string_view name, std::string_view value)
@@ -241,6 +220,15 @@ std::string CommandLine::default_text(std::string_view name) const
 std::vector<std::string> CommandLine::all(std::string_view name) const
 {
     return has(name) ? given_.find(name)->second : std::vector<std::string>();
+}
+
+std::vector<std::string> CommandLine::words(const std::vector<Option>& options) const
+{
+    std::vector<std::string> words;
+    for (const Option& option : options)
+        for (const std::string& value : all(option.name))
+            words.push_back(dashed(option) + (option.argument.empty() ? "" : "=" + value));
+    return words;
 }
 
 } // namespace multipath

@@ -11,12 +11,8 @@
 
 namespace multipath {
 
-/// A value that another option has.
-struct OptionValue
-{
-    std::string_view option;     ///< long name
-    std::string_view value = {}; ///< empty: the default
-};
+/// The choices of an option that takes any text.
+inline const std::vector<std::string_view> any_text = {};
 
 /// One option of a command. The views refer to string literals and tables of constants.
 struct Option
@@ -28,14 +24,11 @@ struct Option
     std::string help = {};                      ///< help_text() wraps it and adds choices and default in brackets
     bool repeatable = false;                    ///< true: the option may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
-    /// The default holds only while the other options that the command has have these values. In other cases the option
-    /// would be refused if it were given, have another meaning or no effect.
-    std::vector<OptionValue> default_depends_on = {};
+    /// Options with which the default holds, separated by spaces: "tolerance time" if these have their own defaults,
+    /// "shading=gather" if that has this value. In other cases the option would be refused if it were given, have
+    /// another meaning or no effect.
+    std::string_view default_if = {};
     bool may_change = false; ///< true: may differ from the run whose state is resumed
-
-    /// The option with one of the last two columns set.
-    Option with_default_if(std::vector<OptionValue> others) const;
-    Option that_may_change() const;
 };
 
 struct OptionGroup
@@ -66,12 +59,14 @@ struct CommandTable
     std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
 };
 
-/// The operand as the usage line shows it: "SCENE.obj", "STATE...", "[SCENE.obj]".
-std::string operand_text(const Operand& operand);
+/// The operands as the usage line shows them: "SCENE.obj", "STATE...", "A [B]".
+std::string operands_text(const std::vector<Operand>& operands);
 
-/// A copy of the table, or of the group, without the options of these long names.
-CommandTable without_options(CommandTable table, const std::vector<std::string>& names);
+/// A copy of the group without the options of these long names.
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names);
+
+/// The options of all groups, in order.
+std::vector<Option> all_options(const std::vector<OptionGroup>& groups);
 
 /// The option with this long name; nullptr if the table has none.
 const Option* find_option(const CommandTable& table, std::string_view name);
@@ -139,6 +134,8 @@ public:
         return row_named(rows, "--" + std::string(name), text(name));
     }
 
+    const CommandTable& table() const { return table_; } ///< of the command
+
     /// True if the command has this option.
     bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }
 
@@ -148,6 +145,9 @@ public:
 
     /// All values given, in the order of the user. Empty if the option was not given, whatever its default.
     std::vector<std::string> all(std::string_view name) const;
+
+    /// Those of the options that were given, as words of a command line: "--name=value", or "--name" for a flag.
+    std::vector<std::string> words(const std::vector<Option>& options) const;
 
     /// The operands in order. Their number agrees with the table unless has("help").
     const std::vector<std::string>& operands() const { return operands_; }

@@ -25,12 +25,19 @@ std::string left_column(const Option& option)
 std::size_t left_width(const std::vector<OptionGroup>& groups)
 {
     std::size_t widest = 0;
-    for (const OptionGroup& group : groups)
-        for (const Option& option : group.options) {
-            const std::size_t width = column_count(left_column(option)) + 2;
-            widest = width <= widest_left_column ? std::max(widest, width) : widest;
-        }
+    for (const Option& option : all_options(groups)) {
+        const std::size_t width = column_count(left_column(option)) + 2;
+        widest = width <= widest_left_column ? std::max(widest, width) : widest;
+    }
     return widest;
+}
+
+/// The groups of a command, and one with --help.
+std::vector<OptionGroup> groups_with_help(const CommandTable& table)
+{
+    std::vector<OptionGroup> groups = table.groups;
+    groups.push_back({"Help", {{"help", 'h', "", "", "Print this help."}}});
+    return groups;
 }
 
 } // namespace
@@ -64,20 +71,20 @@ std::string two_columns(const std::string& left, std::string_view right, std::si
 
 std::string option_help(const Option& option)
 {
-    std::string facts = option.choices.empty() ? "" : "one of " + listed(option.choices);
+    std::vector<std::string> facts;
+    if (!option.choices.empty())
+        facts.push_back("one of " + join(option.choices));
     if (!option.default_text.empty())
-        facts.append(facts.empty() ? "" : "; ").append("default ").append(option.default_text);
+        facts.push_back("default " + std::string(option.default_text));
     if (option.repeatable)
-        facts.append(facts.empty() ? "" : "; ").append("may be repeated");
-    return option.help + (facts.empty() ? "" : " (" + facts + ")");
+        facts.emplace_back("may be repeated");
+    return option.help + (facts.empty() ? "" : " (" + join(facts, "; ") + ")");
 }
 
 std::string usage_line(const CommandTable& table)
 {
-    std::string line = "multipath " + std::string(table.name) + " [OPTIONS]";
-    for (const Operand& operand : table.operands)
-        line.append(" ").append(operand_text(operand));
-    return line;
+    return "multipath " + std::string(table.name) + " [OPTIONS]" + (table.operands.empty() ? "" : " ") +
+           operands_text(table.operands);
 }
 
 std::string help_hint(std::string_view command)
@@ -87,10 +94,8 @@ std::string help_hint(std::string_view command)
 
 std::string help_text(const CommandTable& table)
 {
-    std::vector<OptionGroup> groups = table.groups;
-    groups.push_back({"Help", {{"help", 'h', "", "", "Print this help."}}});
+    const std::vector<OptionGroup> groups = groups_with_help(table);
     const std::size_t indent = left_width(groups);
-
     std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped_text(table.summary, 0, 0, page_width);
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
@@ -117,8 +122,7 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
 {
     return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
            "\n'multipath COMMAND --help' explains a command; 'multipath --version' prints the version.\n" +
-           wrapped_text("'multipath help TOPIC' explains a topic: " + listed(names_of(topics)) + ".", 0, 0,
-                        page_width) +
+           wrapped_text("'multipath help TOPIC' explains a topic: " + join(names_of(topics)) + ".", 0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 
@@ -185,7 +189,7 @@ std::string command_section(const CommandTable& table)
     std::string text = ".SS " + escaped(table.name) + "\n" + bold("multipath " + std::string(table.name)) + " [" +
                        italic("OPTIONS") + "]";
     for (const Operand& operand : table.operands)
-        text += " " + italic(operand_text(operand));
+        text += " " + italic(operands_text({operand}));
     text += "\n.PP\n" + escaped(table.summary) + "\n";
     for (const OptionGroup& group : table.groups) {
         text += ".PP\n" + bold(std::string(group.heading) + ":") + "\n";
@@ -242,30 +246,9 @@ _multipath() {
     COMPREPLY=()
 )";
 
-/// All options of a command, and --help.
-std::vector<Option> with_help(const CommandTable& table)
+std::string offered(const std::vector<std::string_view>& words)
 {
-    std::vector<Option> options;
-    for (const OptionGroup& group : table.groups)
-        options.insert(options.end(), group.options.begin(), group.options.end());
-    options.push_back({"help", 'h', "", "", "Print this help."});
-    return options;
-}
-
-/// The words separated by spaces.
-std::string joined(const std::vector<std::string_view>& words)
-{
-    std::string text;
-    for (const std::string_view word : words)
-        text.append(text.empty() ? "" : " ").append(word);
-    return text;
-}
-
-/// "--output | -o"
-std::string names_of(const Option& option)
-{
-    const std::string name = "--" + std::string(option.name);
-    return option.short_name == 0 ? name : name + " | -" + option.short_name;
+    return "_multipath_words '" + join(words, " ") + "'";
 }
 
 std::string value_case(const Option& option)
@@ -273,15 +256,16 @@ std::string value_case(const Option& option)
     const std::string action = option.argument == "FILE"     ? "_multipath_files; "
                                : option.argument == "FOLDER" ? "_multipath_folders; "
                                : option.choices.empty()      ? ""
-                                                             : "_multipath_words '" + joined(option.choices) + "'; ";
-    return "        " + names_of(option) + ") " + action + "return ;;\n";
+                                                             : offered(option.choices) + "; ";
+    const std::string short_form = option.short_name == 0 ? "" : std::string(" | -") + option.short_name;
+    return "        --" + std::string(option.name) + short_form + ") " + action + "return ;;\n";
 }
 
 std::string command_case(const CommandTable& table)
 {
     std::string values;
     std::string names;
-    for (const Option& option : with_help(table)) {
+    for (const Option& option : all_options(groups_with_help(table))) {
         values += option.argument.empty() ? "" : value_case(option);
         names += (names.empty() ? "--" : " --") + std::string(option.name);
     }
@@ -289,8 +273,7 @@ std::string command_case(const CommandTable& table)
     std::string operand = options;
     if (!table.operands.empty()) {
         const Operand& last = table.operands.back();
-        operand = last.choices.empty() ? "_multipath_files " + joined(last.extensions)
-                                       : "_multipath_words '" + joined(last.choices) + "'";
+        operand = last.choices.empty() ? "_multipath_files " + join(last.extensions, " ") : offered(last.choices);
     }
     return "    " + std::string(table.name) + ")\n        case $option in\n" + values +
            "        esac\n        case $word in\n        -*) " + options + " ;;\n        *) " + operand +
@@ -301,14 +284,13 @@ std::string command_case(const CommandTable& table)
 
 std::string bash_completion(const std::vector<CommandTable>& tables)
 {
-    std::string commands;
+    std::vector<std::string_view> first_words = names_of(tables);
+    first_words.insert(first_words.end(), {"--help", "--version"});
     std::string cases;
-    for (const CommandTable& table : tables) {
-        commands += std::string(table.name) + " ";
+    for (const CommandTable& table : tables)
         cases += command_case(table);
-    }
-    return std::string(bash_functions) + "    if ((COMP_CWORD == 1)); then\n        _multipath_words '" + commands +
-           "--help --version'\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n" + cases +
+    return std::string(bash_functions) + "    if ((COMP_CWORD == 1)); then\n        " + offered(first_words) +
+           "\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n" + cases +
            "    esac\n}\n\ncomplete -F _multipath multipath\n";
 }
 

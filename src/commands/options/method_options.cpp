@@ -33,7 +33,7 @@ std::string methods_with(std::string_view option)
     for (const Method method : all_methods())
         if (has_option(method, option))
             names.push_back(method->name);
-    return listed(names, " or ");
+    return alternatives(names);
 }
 
 constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
@@ -43,30 +43,6 @@ constexpr std::array<NamedValue<Direct>, 2> direct_choices = {{{"shoot", Direct:
 
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 48; // take months; the sequences have more items
 
-Option direct_option()
-{
-    return {"direct",
-            0,
-            "HOW",
-            "gather",
-            "For reuse: gather the direct light of the sources by rays between pairs of patches, or shoot it like the "
-            "extended first shot.",
-            false,
-            names_of(direct_choices)};
-}
-
-Option denoise_option()
-{
-    return {"denoise",
-            0,
-            "WHETHER",
-            "yes",
-            "For reuse without a table of pairs: replace the light of neighbouring patches by a polynomial where their "
-            "noise hides any difference from it.",
-            false,
-            names_of(yes_or_no)};
-}
-
 } // namespace
 
 OptionGroup method_option_group(const Option& line_count, bool with_reuse)
@@ -75,10 +51,9 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         "Method",
         {method_option(with_reuse),
          line_count,
-         Option{"ratio", 0, "R", "auto",
-                "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for "
-                "reuse."}
-             .with_default_if({{"power-per-line"}}),
+         {"ratio", 0, "R", "auto",
+          "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse.",
+          false, any_text, "power-per-line"},
          {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
           "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's. "
@@ -111,21 +86,27 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          {"skip", 0, "K", "0", "Leave out the first K items of the sequence."},
          {"seed", 0, "N", "1", "Seed of random and randomised sequences."},
          threads_option()}};
-    if (with_reuse) {
-        group.options.push_back(direct_option());
-        group.options.push_back(denoise_option());
-    }
+    const std::vector<Option> for_reuse = {
+        {"direct", 0, "HOW", "gather",
+         "For reuse: gather the direct light of the sources by rays between pairs of patches, or shoot it like the "
+         "extended first shot.",
+         false, names_of(direct_choices)},
+        {"denoise", 0, "WHETHER", "yes",
+         "For reuse without a table of pairs: replace the light of neighbouring patches by a polynomial where their "
+         "noise hides any difference from it.",
+         false, names_of(yes_or_no)}};
+    if (with_reuse)
+        group.options.insert(group.options.end(), for_reuse.begin(), for_reuse.end());
     return group;
 }
 
 OptionGroup solve_method_group()
 {
     OptionGroup group = method_option_group(
-        Option{"lines", 'n', "N", "auto",
-               "Total number of lines, local and global; auto takes 2^20, or a larger power of two "
-               "that gives each patch 24 or more. Global lines that miss the scene's bounding box are not counted."}
-            .with_default_if({{"tolerance"}, {"time"}})
-            .that_may_change(),
+        {"lines", 'n', "N", "auto",
+         "Total number of lines, local and global; auto takes 2^20, or a larger power of two that gives each patch 24 "
+         "or more. Global lines that miss the scene's bounding box are not counted.",
+         false, any_text, "tolerance time", true},
         true);
     group.options.push_back(
         {"important", 0, "WHAT", "",

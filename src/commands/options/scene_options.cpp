@@ -115,7 +115,10 @@ std::string advice_text(const std::vector<Advice>& list)
 {
     std::string text;
     for (const Advice& advice : list)
-        text += ";" + option_text(advice) + (advice.effect.empty() ? "" : " ") + advice.effect;
+        text += (!advice.effect.empty() ? ";"
+                 : text.empty()         ? ":"
+                                        : "") +
+                option_text(advice) + (advice.effect.empty() ? "" : " " + advice.effect);
     return text;
 }
 
@@ -180,24 +183,6 @@ ObjChanges read_changes(const CommandLine& line)
     return changes;
 }
 
-/// Reads the OBJ file. Where the error of a faulty scene has advice, its message ends with a command that follows it.
-SceneFile read_file(const CommandLine& line, const std::string& path, EmissionFrom emission, const ObjChanges& changes)
-{
-    try {
-        return read_obj(path, emission, changes);
-    } catch (InputError& error) {
-        std::string options;
-        for (const Advice& advice : error.advice)
-            options += option_text(advice);
-        for (const GivenOption& option : reading_options(line))
-            options += option_text(option.name, option.value);
-        if (!error.advice.empty())
-            error.append(": multipath solve " + shell_word((path[0] == '-' ? "./" : "") + path) + options);
-        error.advice.clear();
-        throw;
-    }
-}
-
 /// The scene with the surfaces turned over that look away from its light, and with a warning of it.
 Scene turned_to_light(Scene scene, int threads)
 {
@@ -214,18 +199,6 @@ Scene turned_to_light(Scene scene, int threads)
 }
 
 } // namespace
-
-std::vector<GivenOption> reading_options(const CommandLine& line)
-{
-    constexpr std::array<std::string_view, 3> others = {"patch-size", "patches", "memory"};
-    std::vector<GivenOption> result;
-    for (const Option& option : scene_option_group().options)
-        if (std::find(others.begin(), others.end(), option.name) == others.end())
-            for (const std::string& value : line.all(option.name))
-                if (option.argument.empty() || value != option.default_text)
-                    result.push_back({std::string(option.name), option.argument.empty() ? "" : value});
-    return result;
-}
 
 std::string scene_path(const CommandLine& line)
 {
@@ -250,7 +223,7 @@ Scene read_scene(const CommandLine& line, int threads)
     const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
-    SceneFile file = read_file(line, path, emission, changes);
+    SceneFile file = read_obj(path, emission, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
     constexpr bool either_side = true; // which way surfaces face is decided when their light is known

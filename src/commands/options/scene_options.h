@@ -16,23 +16,13 @@ OptionGroup scene_option_group();
 /// The option that applies a remedy, after a space and quoted for a shell: " --lamp 'desk lamp=10'".
 std::string option_text(const Advice& advice);
 
-/// Clauses to end a message: "; --flip turns all faces over; --two-sided gives every face a back".
+/// Clauses to end a message: "; --flip turns all faces over; --two-sided gives every face a back", or only options
+/// where the message states their effect: ": --sky 10 --sun 150,40,20".
 std::string advice_text(const std::vector<Advice>& list);
 
 /// Path of the scene file that the first operand names: the file itself, or else the bundled scene of that name. If
 /// neither exists, the operand unchanged.
 std::string scene_path(const CommandLine& line);
-
-/// An option that the user gave, with one value.
-struct GivenOption
-{
-    std::string name;
-    std::string value; ///< empty for an option without value
-};
-
-/// The given scene options that change the content of the scene, such as --flip or --unit; not those for the size of
-/// patches and the memory. Values equal to the default are left out.
-std::vector<GivenOption> reading_options(const CommandLine& line);
 
 /// Reads the scene of the first operand and cuts it into patches as the options say. If patches are adaptive, these are
 /// the coarse patches from which refinement begins. Throws UsageError, and InputError for a faulty file or too little

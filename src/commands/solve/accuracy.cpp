@@ -45,24 +45,22 @@ OptionGroup accuracy_option_group()
 {
     return {
         "Accuracy",
-        {Option{"adaptive", 0, "N", "",
-                "Cut patches where the light changes most into four, and these again, until there are N. This is the "
-                "default without --patch-size and --patches, with 5,000 patches and five for every four surfaces."}
-             .with_default_if({{"tolerance"}}),
-         Option{"replicates", 0, "R", "1",
-                "Solve R times with independent randomisations of the sequence, each with its part of the lines; "
-                "estimates the standard error of every patch and of the whole."}
-             .with_default_if({{"tolerance"}, {"time"}}),
-         Option{
-             "tolerance", 0, "SHARE", "",
-             "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
-             "together, is at most this, such as 1%. Takes 4 replicates by default; --lines, if given, limits the last "
-             "round; --adaptive, --patches and --patch-size fix the patches."}
-             .that_may_change(),
-         Option{"time", 0, "TIME", "",
-                "Double the lines for as long as this allows, such as 30s, with replicates and --lines as for "
-                "--tolerance."}
-             .that_may_change()}};
+        {{"adaptive", 0, "N", "",
+          "Cut patches where the light changes most into four, and these again, until there are N. This is the default "
+          "without --patch-size and --patches, with 5,000 patches and five for every four surfaces.",
+          false, any_text, "tolerance"},
+         {"replicates", 0, "R", "1",
+          "Solve R times with independent randomisations of the sequence, each with its part of the lines; estimates "
+          "the standard error of every patch and of the whole.",
+          false, any_text, "tolerance time"},
+         {"tolerance", 0, "SHARE", "",
+          "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
+          "together, is at most this, such as 1%. Takes 4 replicates by default; --lines, if given, limits the last "
+          "round; --adaptive, --patches and --patch-size fix the patches.",
+          false, any_text, "", true},
+         {"time", 0, "TIME", "",
+          "Double the lines for as long as this allows, such as 30s, with replicates and --lines as for --tolerance.",
+          false, any_text, "", true}}};
 }
 
 Accuracy read_accuracy(const CommandLine& line)

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace multipath {
@@ -98,18 +100,14 @@ const OutputFormat& format_of(const PlannedOutput& output)
 PatchMesh mesh_of(const Scene& scene, const Solution& solution, const std::vector<Rgb>& light, Shading shading,
                   int threads)
 {
-    const bool has_error = !solution.standard_error.empty();
-    if (shading == Shading::flat)
-        return patch_mesh(scene, flat_corners(light),
-                          has_error ? flat_corners(solution.standard_error) : CornerFunction(), threads);
-    const auto corners_of = [](const SmoothShading& smooth) {
-        return [&smooth](std::uint32_t patch) { return smooth.at_corners(patch); };
+    const auto corners = [&](const std::vector<Rgb>& values) -> CornerFunction {
+        if (values.empty() || shading == Shading::flat)
+            return values.empty() ? CornerFunction() : flat_corners(values);
+        return [smooth = std::make_shared<const SmoothShading>(scene, values, threads)](std::uint32_t patch) {
+            return smooth->at_corners(patch);
+        };
     };
-    const SmoothShading radiosity(scene, light, threads);
-    if (!has_error)
-        return patch_mesh(scene, corners_of(radiosity), {}, threads);
-    const SmoothShading error(scene, solution.standard_error, threads);
-    return patch_mesh(scene, corners_of(radiosity), corners_of(error), threads);
+    return patch_mesh(scene, corners(light), corners(solution.standard_error), threads);
 }
 
 /// The linear light whose sRGB values are these colours.
@@ -140,17 +138,6 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
                         camera, options.render);
 }
 
-std::vector<PlannedOutput*> quickest_first(std::vector<PlannedOutput>& outputs)
-{
-    std::vector<PlannedOutput*> result;
-    for (PlannedOutput& output : outputs)
-        result.push_back(&output);
-    std::stable_sort(result.begin(), result.end(), [](const PlannedOutput* a, const PlannedOutput* b) {
-        return format_of(*a).kind < format_of(*b).kind;
-    });
-    return result;
-}
-
 } // namespace
 
 SolvedScene::SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
@@ -169,23 +156,17 @@ void SolvedScene::show(std::size_t view)
     if (view == view_)
         return;
     view_ = view;
-    camera_.reset();
     screen_.reset();
 }
 
 std::string SolvedScene::one_comment() const
 {
-    std::string comment;
-    for (const std::string& part : comments)
-        comment += (comment.empty() ? "" : "; ") + part;
-    return comment;
+    return join(comments, "; ");
 }
 
-const Camera& SolvedScene::camera()
+Camera SolvedScene::camera() const
 {
-    if (!camera_)
-        camera_ = options.views.empty() ? camera_for(scene, options) : options.views[view_].camera;
-    return *camera_;
+    return options.views.empty() ? camera_for(scene, options) : options.views[view_].camera;
 }
 
 const std::vector<Rgb>& SolvedScene::shown_values()
@@ -281,7 +262,7 @@ ScreenColour SolvedScene::mesh_colour()
     };
 }
 
-std::vector<GlbCamera> SolvedScene::mesh_cameras()
+std::vector<GlbCamera> SolvedScene::mesh_cameras() const
 {
     const auto glb_camera = [](const std::string& name, const Camera& c) {
         return GlbCamera{name, c.eye, c.target, c.up, c.field_of_view};
@@ -327,10 +308,10 @@ OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Output file, whose extension determines the format: " + listed(extensions_of_formats(), " or ") +
+              "Output file, whose extension determines the format: " + alternatives(extensions_of_formats()) +
                   " ('multipath help outputs' describes them). '-' writes the first of these to standard output. "
                   "By default a " +
-                  listed(extensions_of_formats(true), " and a ") +
+                  join(extensions_of_formats(true), " and a ") +
                   " with the name of the input are written to the working directory.",
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
@@ -386,7 +367,10 @@ std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs,
 
 void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
 {
-    for (PlannedOutput* const output : quickest_first(outputs)) {
+    std::multimap<FormatKind, PlannedOutput*> quickest_first;
+    for (PlannedOutput& output : outputs)
+        quickest_first.emplace(format_of(output).kind, &output);
+    for (const auto& [kind, output] : quickest_first) {
         solved.show(output->view);
         solved.file_name = output->file.name().substr(folder_of(output->file.name()).size());
         output->file.write(format_of(*output).bytes(solved));

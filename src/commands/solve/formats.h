@@ -50,19 +50,18 @@ public:
     /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
     double linear_colour_scale() const;
     std::string lightmap_png();
-    std::string file_name;                 ///< name of the current output, without folder
-    const PatchMesh& mesh();               ///< mesh with the radiosity at its corners
-    const PatchMesh& plain_mesh();         ///< the same, but without the detail of textures in the radiosity
-    double mesh_scale();                   ///< [m^2/W] scale by picture_scale(), for the colours of PLY and OBJ meshes
-    ScreenColour mesh_colour();            ///< function from radiosity to the colours of these meshes
-    std::vector<GlbCamera> mesh_cameras(); ///< one for each view, or the only camera if options.views is empty
-    std::vector<std::string> mesh_comments(); ///< the comments, and one with mesh_scale()
+    std::string file_name;         ///< name of the current output, without folder
+    const PatchMesh& mesh();       ///< mesh with the radiosity at its corners
+    const PatchMesh& plain_mesh(); ///< the same, but without the detail of textures in the radiosity
+    double mesh_scale();           ///< [m^2/W] scale by picture_scale(), for the colours of PLY and OBJ meshes
+    ScreenColour mesh_colour();    ///< function from radiosity to the colours of these meshes
+    std::vector<GlbCamera> mesh_cameras() const; ///< one for each view, or the only camera if options.views is empty
+    std::vector<std::string> mesh_comments();    ///< the comments, and one with mesh_scale()
 
 private:
-    const Camera& camera();
+    Camera camera() const;
 
     std::size_t view_ = 0;
-    std::optional<Camera> camera_;
     std::optional<std::vector<Rgb>> shown_values_;
     std::optional<ScreenImage> screen_;
     std::optional<LightGrid> grid_;

@@ -19,6 +19,7 @@
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -30,11 +31,9 @@ namespace {
 /// The options of `solve` that change its result.
 std::vector<Option> options_with_effect()
 {
-    std::vector<Option> options;
-    for (const OptionGroup& group : {solve_method_group(), accuracy_option_group(), scene_option_group()})
-        for (const Option& option : group.options)
-            if (is_recorded(option.name))
-                options.push_back(option);
+    std::vector<Option> options = all_options({solve_method_group(), accuracy_option_group(), scene_option_group()});
+    const auto has_none = [](const Option& option) { return !is_recorded(option.name); };
+    options.erase(std::remove_if(options.begin(), options.end(), has_none), options.end());
     return options;
 }
 
@@ -59,25 +58,16 @@ bool is_shard(const RunDescription& description)
     return description.shard.of > 1;
 }
 
-/// The option as a message quotes it: "--sequence halton", "no --two-sided".
+/// The option as a message quotes it, after a space: " --sequence halton", " no --two-sided".
 std::string quoted_option(const Option& option, const CommandLine& line)
 {
-    const std::string name = "--" + std::string(option.name);
-    if (option.argument.empty())
-        return line.has(option.name) ? name : "no " + name;
-    if (!line.has(option.name))
-        return line.text(option.name).empty() ? "no " + name : name + " " + line.text(option.name);
     std::string text;
     for (const std::string& value : line.all(option.name))
-        text += (text.empty() ? "" : " ") + name + " " + value;
-    return text;
-}
-
-/// Writes or reads the head of a state file: the description of the run and the names of its parts.
-void visit_head(Archive& archive, RunDescription& description, std::vector<std::string>& parts)
-{
-    description.visit(archive);
-    archive.texts("parts", parts);
+        text += option_text(option.name, value);
+    if (!text.empty())
+        return text;
+    const std::string value = line.text(option.name);
+    return value.empty() ? " no --" + std::string(option.name) : option_text(option.name, value);
 }
 
 } // namespace
@@ -129,16 +119,9 @@ void RunDescription::visit(Archive& archive)
 
 RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard)
 {
-    RunDescription description;
-    for (const Option& option : options_with_effect())
-        for (const std::string& value : line.all(option.name))
-            description.arguments.push_back("--" + std::string(option.name) +
-                                            (option.argument.empty() ? "" : "=" + value));
-    description.arguments.emplace_back("--");
-    description.arguments.push_back(line.operands()[0]);
-    description.scene = archived(scene);
-    description.shard = shard;
-    return description;
+    std::vector<std::string> arguments = line.words(options_with_effect());
+    arguments.insert(arguments.end(), {"--", line.operands()[0]});
+    return {arguments, archived(scene), shard};
 }
 
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words)
@@ -146,16 +129,6 @@ CommandLine command_line_of(const RunDescription& description, const std::vector
     std::vector<std::string> words = more_words;
     words.insert(words.end(), description.arguments.begin(), description.arguments.end());
     return {solve_table(), words};
-}
-
-std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line)
-{
-    std::vector<std::string> words;
-    for (const OptionGroup& group : table.groups)
-        for (const Option& option : group.options)
-            for (const std::string& value : line.all(option.name))
-                words.push_back("--" + std::string(option.name) + (option.argument.empty() ? "" : "=" + value));
-    return words;
 }
 
 void require_same_run(const RunDescription& saved, const std::string& path, const RunDescription& wanted)
@@ -173,7 +146,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
         const std::string before = quoted_option(option, of_saved);
         const std::string now = quoted_option(option, of_wanted);
         if (fixed && before != now)
-            refuse("made with " + before + ", not with " + now);
+            refuse("made with" + before + ", not with" + now);
     }
     if (saved.scene.hash == wanted.scene.hash)
         return;
@@ -185,7 +158,8 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays)
 {
     SavedRun saved;
-    visit_head(*arrays, saved.description, saved.parts);
+    saved.description.visit(*arrays);
+    arrays->texts("parts", saved.parts);
     saved.arrays = std::move(arrays);
     return saved;
 }
@@ -232,37 +206,34 @@ bool StateKeeper::wants_pause() const
     return interrupted() || (!options_.path.empty() && Clock::now() >= next_save_);
 }
 
-void StateKeeper::write(const StateWriter::Sink& sink)
+void StateKeeper::keep(const std::string& path)
 {
+    if (path.empty() && !keep_last_)
+        return;
+    std::optional<OutputFile> file;
+    if (!path.empty())
+        file.emplace(path);
+    const InterruptDelay delay;
+    last_bytes_.clear();
+    StateWriter writer([&](std::string_view bytes) {
+        if (file)
+            file->write(bytes);
+        if (keep_last_)
+            last_bytes_ += bytes;
+    });
+    description_.visit(writer);
     std::vector<std::string> names = parts();
-    StateWriter writer(sink);
-    visit_head(writer, description_, names);
+    writer.texts("parts", names);
     save(writer);
     writer.finish();
-}
-
-void StateKeeper::keep_in_memory()
-{
-    last_bytes_.clear();
-    write([&](std::string_view bytes) { last_bytes_ += bytes; });
-}
-
-void StateKeeper::keep()
-{
-    if (!options_.path.empty()) {
-        OutputFile file(options_.path);
-        const InterruptDelay delay;
-        write([&](std::string_view bytes) { file.write(bytes); });
-        file.commit();
-    }
-    if (keep_last_)
-        keep_in_memory();
+    if (file)
+        file->commit();
 }
 
 bool StateKeeper::pause_now()
 {
     const Clock::time_point start = Clock::now();
-    keep();
+    keep(options_.path);
     const auto interval =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every));
     // A large state is saved less often, so that saving takes at most about a tenth of the time.
@@ -272,16 +243,14 @@ bool StateKeeper::pause_now()
 
 void StateKeeper::publish_shard_now()
 {
-    keep();
+    keep(options_.path);
     published_ = true;
 }
 
 void StateKeeper::finish_now()
 {
-    if (!resumed_ || worked_)
-        keep();
-    else if (keep_last_) // the file is up to date
-        keep_in_memory();
+    const bool file_is_up_to_date = resumed_ && !worked_;
+    keep(file_is_up_to_date ? "" : options_.path);
 }
 
 namespace {
@@ -291,7 +260,7 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
     const Solution solution = finished_solution(saved, scene);
     PatchTable table;
     table.path = path;
-    table.comments = provenance(solve_table(), command_line_of(saved.description, {}), scene);
+    table.comments = provenance(command_line_of(saved.description, {}), scene);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         table.surfaces.push_back(scene.surface_of(i));
         table.materials.push_back(scene.material_of(i).name);
@@ -314,6 +283,18 @@ ResultFile::ResultFile(const std::string& path, const PatchTable* beside)
     const SavedRun saved = read_saved_run(path);
     scene = std::make_unique<const Scene>(restored(saved.description.scene));
     table = table_of(path, saved, *scene);
+}
+
+void require_same_patches(const PatchTable& table, const std::vector<double>& areas, const std::string& owner)
+{
+    if (table.areas.size() != areas.size())
+        throw InputError(table.path + ": " + grouped(table.areas.size()) + " patches, expected " +
+                         grouped(areas.size()) + " as in " + owner);
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        if (!(std::abs(table.areas[i] - areas[i]) <= 1e-9 * areas[i]))
+            throw InputError(
+                table.path +
+                format(": patch %zu has %.12g m^2, expected %.12g m^2 as in ", i, table.areas[i], areas[i]) + owner);
 }
 
 bool have_same_surfaces(const Scene& a, const Scene& b)

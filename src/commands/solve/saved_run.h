@@ -50,10 +50,6 @@ RunDescription description_of(const CommandLine& line, const Scene& scene, Shard
 /// put in front.
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words);
 
-/// The options given on a command line, as words for another command that has the same options. `table`: the table of
-/// the command to which `line` belongs.
-std::vector<std::string> forwarded_options(const CommandTable& table, const CommandLine& line);
-
 /// Throws InputError if the saved state belongs to another run than the wanted one: "run.state: the state of another
 /// run: made with --sequence sobol, not with --sequence halton; ...". The wanted run may have other values of --lines,
 /// --tolerance and --time, unless the state is of a shard. `path`: name of the state in the message.
@@ -111,9 +107,8 @@ protected:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void write(const StateWriter::Sink& sink);
-    void keep_in_memory();
-    void keep();
+    /// Saves the state in this file, unless the path is empty, and in memory if the last state is kept there.
+    void keep(const std::string& path);
 
     StateOptions options_;
     bool keep_last_;
@@ -136,6 +131,10 @@ struct ResultFile
     /// of which no piece or round is finished (see finished_solution).
     explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
 };
+
+/// Throws InputError if the patches of the table differ from those of these areas [m^2] in number or area. `owner`:
+/// what has the areas, for the message.
+void require_same_patches(const PatchTable& table, const std::vector<double>& areas, const std::string& owner);
 
 /// True if two scenes have the same surfaces, and both or neither are two-sided; their patches may differ.
 bool have_same_surfaces(const Scene& a, const Scene& b);

@@ -6,7 +6,6 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "check/scene_check.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
 #include "cli/progress.h"
@@ -45,8 +44,8 @@ bool reflects_light(const Scene& scene, const Solution& solution)
 }
 
 /// Throws SettingsError or InputError, with the reason, if no light has reached any surface: a black picture is not a
-/// result. `may_flip`: the command has the option --flip.
-void require_light(const Scene& scene, const Solution& solution, bool may_flip, int threads)
+/// result.
+void require_light(const Scene& scene, const Solution& solution)
 {
     const PowerBalance& balance = solution.balance;
     if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
@@ -59,14 +58,10 @@ void require_light(const Scene& scene, const Solution& solution, bool may_flip, 
     if (solution.all_lines < scene.patch_count())
         throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
                             " lines found no light on any surface; expected more with --lines");
-    constexpr std::uint64_t lines_to_look = 1 << 16;
-    const std::string dark = scene.path() + ": no light reaches any surface: ";
-    if (mean(balance.behind) > rounding)
-        throw InputError(dark + "it meets all of them from behind; --two-sided gives them backs");
-    const bool inside_out =
-        may_flip && is_inside_out(scene, survey_lines(scene, scene_hull(scene), lines_to_look, threads));
-    throw InputError(dark + (inside_out ? "the scene is inside out; --flip turns all its faces over"
-                                        : "the emitters face away from everything; see 'multipath check'"));
+    throw InputError(scene.path() + ": no light reaches any surface: " +
+                     (mean(balance.behind) > rounding
+                          ? "it meets all of them from behind; --two-sided gives them backs"
+                          : "the emitters face away from everything; 'multipath check' tells why"));
 }
 
 void require_error_to_show(const PictureOptions& pictures, const Accuracy& accuracy)
@@ -132,13 +127,13 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
 void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
                    std::vector<PlannedOutput>& outputs, const std::string& state)
 {
-    const std::vector<std::string> comments = provenance(solve_table(), job.line, scene);
+    const std::vector<std::string> comments = provenance(job.line, scene);
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
     const auto page = [&] {
         Progress progress("solving with fewer lines, for the page", progress_style(job.line));
         return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
-                             [&](double done) { progress.show(done); });
+                             std::ref(progress));
     };
     SolvedScene solved(
         scene, solution, pictures, comments, [&] { return state; }, page);
@@ -164,7 +159,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
                 seconds_to_first_lines = seconds_since(job.start);
                 watch_interrupts(); // from now on there are partial results
             }
-            progress.show(done);
+            progress(done);
         };
         solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, shard);
     }
@@ -178,7 +173,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     if (keeper.stopped())
         report_interruption(job, solution, keeper); // before the outputs, which a second signal may end
     else
-        require_light(scene, solution, job.line.knows("flip"), job.options.threads);
+        require_light(scene, solution);
     const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
     write_results(job, scene, solution, outputs, keeper.last_bytes());
     const double seconds_outputs = seconds_since(outputs_start);

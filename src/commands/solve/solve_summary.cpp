@@ -154,10 +154,8 @@ JsonObject summary_json(const SolveSummary& s)
     json.text("unit", light_units(s.scene.file()).per_area);
     json.text("method", std::string(s.options.method->name));
     json.text("sequence", s.sequence);
-    if (!has_option(s.options.method, "chords"))
-        json.null("chords");
-    else
-        json.text("chords", name_of(chords_choices, chords_of(s.options)));
+    const bool has_chords = has_option(s.options.method, "chords");
+    has_chords ? json.text("chords", name_of(chords_choices, chords_of(s.options))) : json.null("chords");
     json.count("seed", s.options.seed);
     json.count("lines", s.solution.local_lines + s.solution.global_lines);
     json.count("local_lines", s.solution.local_lines);

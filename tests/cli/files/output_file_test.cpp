@@ -292,45 +292,17 @@ namespace part_file_test {
 
 using namespace multipath;
 
-TEST_CASE("part files of one target stand side by side while their makers live")
+TEST_CASE("two runs can write one target at a time; the last one to finish replaces it")
 {
     const ScratchFolder folder;
-    const PartFile first = create_part_file(folder.path("a.csv"), false);
-    const PartFile second = create_part_file(folder.path("a.csv"), false);
-    REQUIRE(first.descriptor >= 0);
-    REQUIRE(second.descriptor >= 0);
-    CHECK(std::filesystem::exists(first.path));
-    CHECK(std::filesystem::exists(second.path));
-    CHECK(first.path != second.path);
-    close(first.descriptor);
-    close(second.descriptor);
-}
-
-TEST_CASE("what nobody holds any more is removed by the next, and nothing else")
-{
-    const ScratchFolder folder;
-    const PartFile dead = create_part_file(folder.path("a.csv"), false);
-    close(dead.descriptor); // as the system does for a program that was killed
-    const std::string others[] = {".b.csv.abcdef.part", ".a.csv.abcdefg.part", ".a.csv.abcde.part",
-                                  ".a.csv.ABCDEF.part", ".a.csv.abcdef.part~", ".xa.csv.abcdef.part",
-                                  "a.csv.abcdef.part"};
-    for (const std::string& name : others)
-        folder.write(name, "");
-    const PartFile next = create_part_file(folder.path("a.csv"), false);
-    CHECK_FALSE(std::filesystem::exists(dead.path));
-    CHECK(std::filesystem::exists(next.path));
-    for (const std::string& name : others)
-        CHECK_MESSAGE(std::filesystem::exists(folder.path(name)), name);
-    close(next.descriptor);
-}
-
-TEST_CASE("a link that is named like a part file costs nothing that it leads to")
-{
-    const ScratchFolder folder;
-    folder.write("kept", "bytes");
-    std::filesystem::create_symlink("kept", folder.path(".a.csv.abcdef.part"));
-    close(create_part_file(folder.path("a.csv"), false).descriptor);
-    CHECK(std::filesystem::file_size(folder.path("kept")) == 5);
+    OutputFile first(folder.path("a.csv"));
+    OutputFile second(folder.path("a.csv"));
+    first.write("1");
+    second.write("2");
+    second.commit();
+    CHECK(bytes_of_file(folder.path("a.csv")) == "2");
+    first.commit();
+    CHECK(bytes_of_file(folder.path("a.csv")) == "1");
 }
 
 TEST_CASE("the folder of a path ends in a slash")
@@ -345,12 +317,12 @@ TEST_CASE("what is unfinished is removed, what is finished stays")
     const ScratchFolder folder;
     for (const char* name : {"part", "moved", "finished", "replaced"})
         folder.write(name, "bytes");
-    const Unfinished part(folder.path("part"), folder.path("a"));
-    Unfinished first(folder.path("moved"), folder.path("b"));
-    const Unfinished moved(std::move(first));
-    Unfinished replaced(folder.path("replaced"), folder.path("c"));
-    replaced = Unfinished(folder.path("missing"), folder.path("d"));
-    Unfinished(folder.path("finished"), folder.path("e"));
+    const Unfinished part = unfinished(folder.path("part"), folder.path("a"));
+    Unfinished first = unfinished(folder.path("moved"), folder.path("b"));
+    const Unfinished moved = std::move(first);
+    Unfinished replaced = unfinished(folder.path("replaced"), folder.path("c"));
+    replaced = unfinished(folder.path("missing"), folder.path("d"));
+    unfinished(folder.path("finished"), folder.path("e"));
 
     remove_unfinished();
     CHECK_FALSE(std::filesystem::exists(folder.path("part")));
@@ -366,12 +338,12 @@ TEST_CASE("what is complete gets the name of its target, the targets of the rest
         folder.write(name, "new");
     folder.write("a", "old");
     folder.write("b", "old");
-    Unfinished complete(folder.path("part-a"), folder.path("a"));
-    complete.complete();
-    const Unfinished moved(std::move(complete));
-    const Unfinished incomplete(folder.path("part-b"), folder.path("b"));
-    Unfinished nowhere(folder.path("part-c"), folder.path("no folder/c"));
-    nowhere.complete();
+    Unfinished complete = unfinished(folder.path("part-a"), folder.path("a"));
+    multipath::complete(complete);
+    const Unfinished moved = std::move(complete);
+    const Unfinished incomplete = unfinished(folder.path("part-b"), folder.path("b"));
+    Unfinished nowhere = unfinished(folder.path("part-c"), folder.path("no folder/c"));
+    multipath::complete(nowhere);
 
     static std::vector<std::string> not_written;
     not_written.clear();
@@ -390,7 +362,7 @@ TEST_CASE("those beyond the number of slots are left alone, and slots are used a
         std::vector<Unfinished> many;
         for (int n = 0; n < 100; ++n) {
             folder.write(std::to_string(n), "");
-            many.emplace_back(folder.path(std::to_string(n)), folder.path("target"));
+            many.push_back(unfinished(folder.path(std::to_string(n)), folder.path("target")));
         }
         remove_unfinished();
         CHECK_FALSE(std::filesystem::exists(folder.path("0")));
@@ -398,7 +370,7 @@ TEST_CASE("those beyond the number of slots are left alone, and slots are used a
         CHECK(std::filesystem::exists(folder.path("64")));
     }
     folder.write("long", "");
-    const Unfinished endless(folder.path("long") + std::string(5000, '/'), folder.path("target"));
+    const Unfinished endless = unfinished(folder.path("long") + std::string(5000, '/'), folder.path("target"));
     remove_unfinished();
     CHECK(std::filesystem::exists(folder.path("long")));
 }

