@@ -111,14 +111,11 @@ std::vector<WorstPatch> worst_patches(const PatchTable& a, const PatchTable& b, 
     }
     if (!(sum > 0.0))
         return {};
+    std::stable_sort(patches.begin(), patches.end(),
+                     [](const WorstPatch& p, const WorstPatch& q) { return p.share > q.share; });
+    patches.resize(std::min(count, patches.size()));
     for (WorstPatch& patch : patches)
         patch.share /= sum;
-    count = std::min(count, patches.size());
-    std::partial_sort(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(count), patches.end(),
-                      [](const WorstPatch& p, const WorstPatch& q) {
-                          return p.share != q.share ? p.share > q.share : p.patch < q.patch;
-                      });
-    patches.resize(count);
     return patches;
 }
 

@@ -20,7 +20,6 @@
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
 #include "commands/solve/saved_run.h"
-#include "commands/solve/solve_table.h"
 #include "export/patch_table.h"
 #include "image/checksum.h"
 #include "radiosity/run/statistics.h"
@@ -83,15 +82,14 @@ std::vector<std::string> read_list(const CommandLine& line, const std::string& n
     if (!all.empty() && line.text(name) == "all")
         return {all.begin(), all.end()};
     std::vector<std::string> entries = split_list(line.text(name));
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-        if (entries[k].empty())
+    for (const std::string& entry : entries) {
+        if (entry.empty())
             throw UsageError("--" + name + ": expected names with a comma between them, got " +
                              quoted_argument(line.text(name)));
         if (!choices.empty())
-            require_choice("--" + name, entries[k], choices);
-        if (std::find(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(k), entries[k]) !=
-            entries.begin() + static_cast<std::ptrdiff_t>(k))
-            throw UsageError("--" + name + ": " + quoted_argument(entries[k]) + " is named twice");
+            require_choice("--" + name, entry, choices);
+        if (std::count(entries.begin(), entries.end(), entry) > 1)
+            throw UsageError("--" + name + ": " + quoted_argument(entry) + " is named twice");
     }
     return entries;
 }
@@ -132,7 +130,7 @@ OptionGroup study_curve_options()
 /// chords give the same curve. Throws UsageError for an unknown or repeated name, and for options without effect.
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
-    const std::vector<std::string_view> known_methods = find_option(solve_table(), "method")->choices;
+    const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
     const std::vector<std::string> methods = read_list(line, "methods", known_methods, known_methods);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
     const SolveOptions settings = read_settings(line);
@@ -184,23 +182,15 @@ StudyPlan read_plan(const CommandLine& line)
 
 constexpr std::uint64_t reference_factor = 16; ///< lines of the reference over those of the longest run
 
-/// The folder NAME.cache beside the output NAME.*.
-std::string cache_beside(const std::string& output)
-{
-    const std::size_t dot = output.rfind('.');
-    const bool extension = dot != std::string::npos && dot >= folder_of(output).size();
-    return (extension ? output.substr(0, dot) : output) + ".cache";
-}
-
 /// The folder in which a study keeps the reference (a table of patches) and the finished runs: the one that --cache
 /// names, or one beside the first output that is a file. It is made if it does not exist. Empty: nothing is kept.
 /// Throws OutputError if it cannot be made.
 std::string cache_folder(const CommandLine& line, const std::vector<std::string>& outputs)
 {
     const auto file = std::find_if(outputs.begin(), outputs.end(), [](const std::string& path) { return path != "-"; });
-    std::string folder = line.has("cache")       ? line.text("cache")
-                         : file != outputs.end() ? cache_beside(*file)
-                                                 : std::string();
+    std::string folder = line.text("cache");
+    if (!line.has("cache") && file != outputs.end())
+        folder = std::filesystem::path(*file).replace_extension(".cache").string();
     if (!folder.empty())
         make_folder(folder);
     return folder;
@@ -223,13 +213,7 @@ CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
         shared.push_back(*find_option(line.table(), name));
     const std::vector<std::string> given = line.words(shared);
     words.insert(words.end(), given.begin(), given.end());
-    return {solve_table(), words};
-}
-
-/// Identifies the sources of the program: results kept by a program from other sources are not used.
-std::string program_fact()
-{
-    return "sources: " + sources_checksum();
+    return {solve_command().table, words};
 }
 
 Reference reference_of(const PatchTable& table, const Scene& scene)
@@ -252,13 +236,6 @@ std::optional<Reference> kept_reference(const std::string& path, const std::vect
     if (table.comments != facts)
         return std::nullopt;
     return reference_of(table, scene);
-}
-
-Solution solve_as_typed(const CommandLine& command, const Scene& scene, const CommandLine& line)
-{
-    const SolveOptions options = read_solve_options(command, "lines");
-    Progress progress("reference", progress_style(line));
-    return solve_accurately(scene, options, read_accuracy(command), std::ref(progress));
 }
 
 /// Transfers a radiosity [W/m^2] to coarser patches: the area-weighted mean of the finer patches whose centres lie on
@@ -320,14 +297,16 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
     const CommandLine command = reference_command(line, plan.line_counts.back());
     std::vector<std::string> facts = provenance(command, scene);
     const std::string path = cache + "/reference-" + checksum_of(join(facts, "; ")) + ".csv";
-    facts.push_back(program_fact());
+    facts.push_back("sources: " + sources_checksum()); // a reference by a program from others is not used
     std::optional<OutputFile> file;
     if (!cache.empty()) {
         if (const auto kept = kept_reference(path, facts, scene))
             return *kept;
         file.emplace(path);
     }
-    const Solution solution = solve_as_typed(command, scene, line);
+    Progress progress("reference", progress_style(line));
+    const Solution solution =
+        solve_accurately(scene, read_solve_options(command, "lines"), read_accuracy(command), std::ref(progress));
     if (file) {
         file->write(patch_table(scene, solution.radiosity, solution.standard_error, facts));
         file->commit();
@@ -349,7 +328,7 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     const std::string bytes(reinterpret_cast<const char*>(radiosity.data()), radiosity.size() * sizeof(Rgb));
     const std::string shared = join(provenance(line, scene, not_shared), "; ") + "; reference " + checksum_of(bytes);
     try {
-        return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; " + program_fact());
+        return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; sources: " + sources_checksum());
     } catch (const std::runtime_error& error) {
         throw OutputError(error.what());
     }

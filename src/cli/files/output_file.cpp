@@ -165,9 +165,7 @@ void make_folder(const std::string& path)
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)
 {
     if (path == "-") {
-        descriptor_ = copy_standard_output();
-        if (descriptor_ < 0)
-            fail(name_, errno);
+        open(copy_standard_output());
         return;
     }
     std::error_code error;
@@ -175,9 +173,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
     if (status.type() == fs::file_type::none)
         fail(name_, error.value());
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
-        descriptor_ = open_device(path);
-        if (descriptor_ < 0)
-            fail(name_, errno);
+        open(open_device(path));
         return;
     }
     target_ = follow_links(path);
@@ -189,9 +185,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
         fail(name_, reason);
     // A private target must not be readable by others before it has the permissions of the old file.
     std::string path_of_part;
-    descriptor_ = create_part_file(target_, fs::exists(status), path_of_part);
-    if (descriptor_ < 0)
-        fail(name_, errno);
+    open(create_part_file(target_, fs::exists(status), path_of_part));
     temporary_ = path_of_part;
     unfinished_ = unfinished(temporary_, target_);
     if (fs::exists(status))
@@ -200,6 +194,13 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
         discard();
         fail(name_, error.value());
     }
+}
+
+void OutputFile::open(int descriptor)
+{
+    if (descriptor < 0)
+        fail(name_, errno);
+    descriptor_ = descriptor;
 }
 
 OutputFile::~OutputFile()

@@ -66,6 +66,7 @@ public:
     const std::string& name() const { return name_; }
 
 private:
+    void open(int descriptor);
     void discard() noexcept;
     void discard_at(int error);
 

@@ -26,16 +26,6 @@ Option method_option(bool with_reuse)
     return option;
 }
 
-/// "first-shot or extended": the methods with which the option has an effect.
-std::string methods_with(std::string_view option)
-{
-    std::vector<std::string_view> names;
-    for (const Method method : all_methods())
-        if (has_option(method, option))
-            names.push_back(method->name);
-    return alternatives(names);
-}
-
 constexpr std::array<NamedValue<Estimator>, 2> estimator_choices = {
     {{"collision", Estimator::collision}, {"absorption", Estimator::absorption}}};
 constexpr std::array<NamedValue<bool>, 2> yes_or_no = {{{"yes", true}, {"no", false}}};
@@ -200,8 +190,7 @@ void require_options_with_effect(const CommandLine& line, const std::vector<std:
         if (line.knows(name) && line.has(name) && line.text(name) != line.default_text(name) &&
             std::none_of(methods.begin(), methods.end(),
                          [&](const std::string& method) { return has_effect(method, name); }))
-            throw UsageError("--" + name + " has no effect with " + given + "; expected --method " +
-                             methods_with(name) + " with it");
+            throw UsageError("--" + name + " has no effect with " + given);
 }
 
 std::string checked_sequence_name(const SolveOptions& options, const std::string& option)

@@ -75,14 +75,9 @@ Camera chosen_camera(const Scene& scene, const PictureOptions& options, const st
 ShownQuantity read_shown(const CommandLine& line)
 {
     const ShownQuantity shown = line.choice("show", known_quantities);
-    std::vector<std::string_view> rooms;
-    for (const ShownQuantity& other : known_quantities)
-        if (other.is_room())
-            rooms.push_back(other.name);
     for (const std::string option : {"shading", "exposure", "tone-map"})
         if (!shown.is_room() && line.has(option) && line.text(option) != "flat")
-            throw UsageError("--" + option + " has no effect with --show " + std::string(shown.name) +
-                             "; expected --show " + alternatives(rooms) + " with it");
+            throw UsageError("--" + option + " has no effect with --show " + std::string(shown.name));
     return shown;
 }
 

@@ -6,10 +6,13 @@
 #include "cli/options/choices.h"
 #include "cli/progress.h"
 #include "export/csv_text.h"
+#include "export/lightmap/lightmap.h"
 #include "export/lightmap/lightmap_files.h"
 #include "export/mesh/coloured_mesh.h"
 #include "export/mesh/glb.h"
+#include "export/mesh/gltf_nodes.h"
 #include "export/mesh/linear_scale.h"
+#include "export/mesh/patch_mesh.h"
 #include "export/patch_table.h"
 #include "image/false_colour.h"
 #include "image/image.h"
@@ -22,93 +25,12 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace multipath {
 
 namespace {
-
-constexpr std::array known_formats = {
-    OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
-                 [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped", false,
-                 [](SolvedScene& s) { return pfm_bytes(s.light()); }},
-    OutputFormat{".png", FormatKind::picture, "picture", true,
-                 [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch", false,
-                 [](SolvedScene& s) {
-                     if (s.options.grid) {
-                         std::vector<std::string> comments = s.comments;
-                         comments.push_back("grid: " + light_grid_summary(s.scene, s.grid()));
-                         return comment_lines(comments) + light_grid_table(s.scene, s.grid());
-                     }
-                     return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
-                                        s.options.render.threads);
-                 }},
-    OutputFormat{
-        ".ply", FormatKind::mesh, "mesh with the light as colours and as numbers", false,
-        [](SolvedScene& s) { return ply_bytes(s.mesh(), s.solution.radiosity, s.mesh_colour(), s.mesh_comments()); }},
-    OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
-                 [](SolvedScene& s) {
-                     return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
-                                      texture_files(s.scene), s.options.up);
-                 }},
-    OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
-                 [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
-    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
-                 [](SolvedScene& s) {
-                     return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
-                                         s.mesh_cameras(), s.comments, s.options.up);
-                 }},
-    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
-                 [](SolvedScene& s) {
-                     const std::string stem = s.file_name.substr(0, s.file_name.size() - 4);
-                     return lightmap_obj(s.scene, s.lightmap(), stem + ".mtl", s.comments);
-                 }},
-    OutputFormat{
-        "_lightmap.mtl", FormatKind::mesh, "its materials", false,
-        [](SolvedScene& s) { return lightmap_mtl(s.scene, s.file_name.substr(0, s.file_name.size() - 4) + ".png"); }},
-    OutputFormat{"_lightmap.png", FormatKind::mesh, "its texture", false,
-                 [](SolvedScene& s) { return s.lightmap_png(); }},
-    OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
-                 [](SolvedScene& s) { return s.page(); }},
-    OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
-                 [](SolvedScene& s) { return s.state(); }}};
-
-/// The extensions of all formats, or of those that are written by default.
-std::vector<std::string_view> extensions_of_formats(bool by_default_only = false)
-{
-    std::vector<std::string_view> extensions;
-    for (const OutputFormat& known : known_formats)
-        if (known.by_default || !by_default_only)
-            extensions.push_back(known.extension);
-    return extensions;
-}
-
-const OutputFormat& format_with(std::string_view extension)
-{
-    return *std::find_if(known_formats.begin(), known_formats.end(),
-                         [&](const OutputFormat& known) { return known.extension == extension; });
-}
-
-const OutputFormat& format_of(const PlannedOutput& output)
-{
-    return format_with(output.extension);
-}
-
-/// The mesh of a scene with a radiosity per patch, smooth or flat, and with the standard errors if there are any.
-PatchMesh mesh_of(const Scene& scene, const Solution& solution, const std::vector<Rgb>& light, Shading shading,
-                  int threads)
-{
-    const auto corners = [&](const std::vector<Rgb>& values) -> CornerFunction {
-        if (values.empty() || shading == Shading::flat)
-            return values.empty() ? CornerFunction() : flat_corners(values);
-        return [smooth = std::make_shared<const SmoothShading>(scene, values, threads)](std::uint32_t patch) {
-            return smooth->at_corners(patch);
-        };
-    };
-    return patch_mesh(scene, corners(light), corners(solution.standard_error), threads);
-}
 
 /// The linear light whose sRGB values are these colours.
 std::vector<Rgb> decoded(std::vector<Rgb> colours)
@@ -140,147 +62,222 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
 
 } // namespace
 
-SolvedScene::SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
-                         const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes)
-    : scene(of_scene),
-      solution(of_solution),
-      options(picture_options),
-      comments(origin),
-      state(std::move(state_bytes)),
-      page(std::move(page_bytes))
+/// The parts of files, computed when they are first needed; those that several files share are kept.
+class SolvedScene : public OutputContent
 {
-}
+public:
+    explicit SolvedScene(const OutputContent& content) : OutputContent(content) {}
 
-void SolvedScene::show(std::size_t view)
-{
-    if (view == view_)
-        return;
-    view_ = view;
-    screen_.reset();
-}
+    std::string file_stem; ///< name of the current output, without folder and extension
 
-std::string SolvedScene::one_comment() const
-{
-    return join(comments, "; ");
-}
+    /// Selects the view with this index in options.views; initially the first.
+    void show(std::size_t view)
+    {
+        if (view != view_)
+            screen_.reset();
+        view_ = view;
+    }
 
-Camera SolvedScene::camera() const
-{
-    return options.views.empty() ? camera_for(scene, options) : options.views[view_].camera;
-}
+    /// All comments in one line.
+    std::string one_comment() const { return join(comments, "; "); }
 
-const std::vector<Rgb>& SolvedScene::shown_values()
-{
-    if (!shown_values_)
-        shown_values_ = options.shown.values(scene, solution, options.render.threads);
-    return *shown_values_;
-}
+    Camera camera() const { return options.views.empty() ? camera_for(scene, options) : options.views[view_].camera; }
 
-Image SolvedScene::light()
-{
-    return render(scene, shown_values(), camera(), options.render);
-}
+    /// The picture for a screen.
+    const ScreenImage& screen()
+    {
+        return once(screen_, [&] { return screen_picture(scene, shown, camera(), options); });
+    }
 
-const ScreenImage& SolvedScene::screen()
-{
-    if (!screen_)
-        screen_ = screen_picture(scene, shown_values(), camera(), options);
-    return *screen_;
-}
+    /// The grid of --grid, which must be given.
+    const LightGrid& grid()
+    {
+        constexpr int rays = 1024;
+        return once(grid_, [&] { return light_grid(scene, solution.radiosity, *options.grid, rays, threads()); });
+    }
 
-const LightGrid& SolvedScene::grid()
-{
-    constexpr int rays = 1024;
-    if (!grid_)
-        grid_ = light_grid(scene, solution.radiosity, *options.grid, rays, options.render.threads);
-    return *grid_;
-}
+    /// One line for the user with the statistics of the grid; empty if grid() was not called.
+    std::string grid_note() const { return grid_ ? "grid       " + light_grid_summary(scene, *grid_) + "\n" : ""; }
 
-std::string SolvedScene::grid_summary() const
-{
-    return grid_ ? "grid       " + light_grid_summary(scene, *grid_) + "\n" : "";
-}
+    /// The lightmap of the radiosity.
+    const Lightmap& lightmap()
+    {
+        return once(lightmap_, [&] {
+            const ShownRadiosity radiosity(scene, solution.radiosity, threads());
+            const auto light = [&](std::uint32_t surface, bool front, double u, double v) {
+                return radiosity.at({0.0, surface, u, v, front});
+            };
+            return multipath::lightmap(scene, default_lightmap_size, light, threads());
+        });
+    }
 
-const Lightmap& SolvedScene::lightmap()
-{
-    if (!lightmap_) {
-        const ShownRadiosity shown(scene, solution.radiosity, options.render.threads);
-        const auto light = [&](std::uint32_t surface, bool front, double u, double v) {
-            return shown.at({0.0, surface, u, v, front});
+    std::string lightmap_png()
+    {
+        const Lightmap& map = lightmap();
+        const double scale = linear_colour_scale();
+        ScreenImage image{static_cast<int>(map.width), static_cast<int>(map.height), {}};
+        image.bytes.reserve(3 * map.texels.size());
+        for (const Rgb& texel : map.texels)
+            for (const double channel : {texel.r, texel.g, texel.b})
+                image.bytes.push_back(screen_byte(scale * channel));
+        return png_bytes(image, one_comment());
+    }
+
+    /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
+    double linear_colour_scale() const
+    {
+        return elementary::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
+    }
+
+    /// The mesh with the radiosity at its corners.
+    const PatchMesh& mesh()
+    {
+        return once(mesh_, [&] { return mesh_with(solution.radiosity); });
+    }
+
+    /// The same, but without the detail of textures in the radiosity.
+    const PatchMesh& plain_mesh()
+    {
+        if (scene.file().textures.empty())
+            return mesh();
+        return once(plain_mesh_, [&] { return mesh_with(without_texture(scene, solution.radiosity)); });
+    }
+
+    /// Function from radiosity to the colours of PLY and OBJ meshes.
+    ScreenColour mesh_colour()
+    {
+        return [tone = options.tone.tone, scale = mesh_scale()](Rgb radiosity) {
+            return srgb_encoded(screen_light(radiosity, tone, scale));
         };
-        lightmap_ = multipath::lightmap(scene, default_lightmap_size, light, options.render.threads);
     }
-    return *lightmap_;
-}
 
-double SolvedScene::linear_colour_scale() const
-{
-    return elementary::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
-}
-
-std::string SolvedScene::lightmap_png()
-{
-    const Lightmap& map = lightmap();
-    const double scale = linear_colour_scale();
-    ScreenImage image{static_cast<int>(map.width), static_cast<int>(map.height), {}};
-    image.bytes.reserve(3 * map.texels.size());
-    for (const Rgb& texel : map.texels)
-        for (const double channel : {texel.r, texel.g, texel.b})
-            image.bytes.push_back(screen_byte(scale * channel));
-    return png_bytes(image, one_comment());
-}
-
-const PatchMesh& SolvedScene::mesh()
-{
-    if (!mesh_)
-        mesh_ = mesh_of(scene, solution, solution.radiosity, options.mesh_shading, options.render.threads);
-    return *mesh_;
-}
-
-const PatchMesh& SolvedScene::plain_mesh()
-{
-    if (scene.file().textures.empty())
-        return mesh();
-    if (!plain_mesh_) {
-        const std::vector<Rgb> plain = without_texture(scene, solution.radiosity);
-        plain_mesh_ = mesh_of(scene, solution, plain, options.mesh_shading, options.render.threads);
+    /// The comments, and one with the scale of these colours.
+    std::vector<std::string> mesh_comments()
+    {
+        std::vector<std::string> all = comments;
+        all.push_back(format("colours: sRGB after the tone map of %.17g m^2/W * radiosity", mesh_scale()));
+        return all;
     }
-    return *plain_mesh_;
+
+    /// A camera for each view, or the only one.
+    std::vector<GlbCamera> mesh_cameras() const
+    {
+        std::vector<GlbCamera> all;
+        for (const View& view : options.views.empty() ? std::vector{View{"camera", camera()}} : options.views) {
+            const Camera& c = view.camera;
+            all.push_back({view.name, c.eye, c.target, c.up, c.field_of_view});
+        }
+        return all;
+    }
+
+private:
+    /// The kept value, which is made first if there is none.
+    template <class Value, class Make>
+    static const Value& once(std::optional<Value>& kept, const Make& make)
+    {
+        if (!kept)
+            kept = make();
+        return *kept;
+    }
+
+    int threads() const { return options.render.threads; }
+
+    /// The mesh with a radiosity per patch, smooth or flat, and with the standard errors if there are any.
+    PatchMesh mesh_with(const std::vector<Rgb>& radiosity) const
+    {
+        const auto corners = [&](const std::vector<Rgb>& values) -> CornerFunction {
+            if (values.empty() || options.mesh_shading == Shading::flat)
+                return values.empty() ? CornerFunction() : flat_corners(values);
+            return [smooth = std::make_shared<const SmoothShading>(scene, values, threads())](std::uint32_t patch) {
+                return smooth->at_corners(patch);
+            };
+        };
+        return patch_mesh(scene, corners(radiosity), corners(solution.standard_error), threads());
+    }
+
+    /// [m^2/W] By picture_scale(), for the colours of PLY and OBJ meshes.
+    double mesh_scale()
+    {
+        return once(mesh_scale_,
+                    [&] { return picture_scale(scene, solution.radiosity, camera(), options.render, options.tone); });
+    }
+
+    std::size_t view_ = 0;
+    std::optional<ScreenImage> screen_;
+    std::optional<LightGrid> grid_;
+    std::optional<Lightmap> lightmap_;
+    std::optional<PatchMesh> mesh_;
+    std::optional<PatchMesh> plain_mesh_; ///< only in scenes with textures
+    std::optional<double> mesh_scale_;
+};
+
+namespace {
+
+constexpr std::array known_formats = {
+    OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
+                 [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
+    OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped", false,
+                 [](SolvedScene& s) { return pfm_bytes(render(s.scene, s.shown, s.camera(), s.options.render)); }},
+    OutputFormat{".png", FormatKind::picture, "picture", true,
+                 [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
+    OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch", false,
+                 [](SolvedScene& s) {
+                     if (s.options.grid) {
+                         std::vector<std::string> comments = s.comments;
+                         comments.push_back("grid: " + light_grid_summary(s.scene, s.grid()));
+                         return comment_lines(comments) + light_grid_table(s.scene, s.grid());
+                     }
+                     return patch_table(s.scene, s.solution.radiosity, s.solution.standard_error, s.comments,
+                                        s.options.render.threads);
+                 }},
+    OutputFormat{
+        ".ply", FormatKind::mesh, "mesh with the light as colours and as numbers", false,
+        [](SolvedScene& s) { return ply_bytes(s.mesh(), s.solution.radiosity, s.mesh_colour(), s.mesh_comments()); }},
+    OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
+                 [](SolvedScene& s) {
+                     return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
+                                      texture_files(s.scene), s.options.up);
+                 }},
+    OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
+                 [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
+    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
+                 [](SolvedScene& s) {
+                     return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
+                                         s.mesh_cameras(), s.comments, s.options.up);
+                 }},
+    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
+                 [](SolvedScene& s) { return lightmap_obj(s.scene, s.lightmap(), s.file_stem + ".mtl", s.comments); }},
+    OutputFormat{"_lightmap.mtl", FormatKind::mesh, "its materials", false,
+                 [](SolvedScene& s) { return lightmap_mtl(s.scene, s.file_stem + ".png"); }},
+    OutputFormat{"_lightmap.png", FormatKind::mesh, "its texture", false,
+                 [](SolvedScene& s) { return s.lightmap_png(); }},
+    OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
+                 [](SolvedScene& s) { return s.page(); }},
+    OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
+                 [](SolvedScene& s) { return s.state(); }}};
+
+/// The extensions of all formats, or of those that are written by default.
+std::vector<std::string_view> extensions_of_formats(bool by_default_only = false)
+{
+    std::vector<std::string_view> extensions;
+    for (const OutputFormat& known : known_formats)
+        if (known.by_default || !by_default_only)
+            extensions.push_back(known.extension);
+    return extensions;
 }
 
-double SolvedScene::mesh_scale()
+const OutputFormat& format_with(std::string_view extension)
 {
-    if (!mesh_scale_)
-        mesh_scale_ = picture_scale(scene, solution.radiosity, camera(), options.render, options.tone);
-    return *mesh_scale_;
+    return *std::find_if(known_formats.begin(), known_formats.end(),
+                         [&](const OutputFormat& known) { return known.extension == extension; });
 }
 
-ScreenColour SolvedScene::mesh_colour()
+const OutputFormat& format_of(const PlannedOutput& output)
 {
-    return [tone = options.tone.tone, scale = mesh_scale()](Rgb radiosity) {
-        return srgb_encoded(screen_light(radiosity, tone, scale));
-    };
+    return format_with(output.extension);
 }
 
-std::vector<GlbCamera> SolvedScene::mesh_cameras() const
-{
-    const auto glb_camera = [](const std::string& name, const Camera& c) {
-        return GlbCamera{name, c.eye, c.target, c.up, c.field_of_view};
-    };
-    if (options.views.empty())
-        return {glb_camera("camera", camera())};
-    std::vector<GlbCamera> all;
-    for (const View& view : options.views)
-        all.push_back(glb_camera(view.name, view.camera));
-    return all;
-}
-
-std::vector<std::string> SolvedScene::mesh_comments()
-{
-    std::vector<std::string> all = comments;
-    all.push_back(format("colours: sRGB after the tone map of %.17g m^2/W * radiosity", mesh_scale()));
-    return all;
-}
+} // namespace
 
 std::vector<OutputFormat> output_formats()
 {
@@ -365,18 +362,21 @@ std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs,
     return text;
 }
 
-void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved)
+std::string write_outputs(std::vector<PlannedOutput>& outputs, const OutputContent& content)
 {
+    SolvedScene solved(content);
     std::multimap<FormatKind, PlannedOutput*> quickest_first;
     for (PlannedOutput& output : outputs)
         quickest_first.emplace(format_of(output).kind, &output);
     for (const auto& [kind, output] : quickest_first) {
+        const std::string name = output->file.name().substr(folder_of(output->file.name()).size());
         solved.show(output->view);
-        solved.file_name = output->file.name().substr(folder_of(output->file.name()).size());
+        solved.file_stem = name.substr(0, name.find_last_of('.'));
         output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }
     commit(outputs);
+    return solved.grid_note();
 }
 
 } // namespace multipath

@@ -3,13 +3,9 @@
 #include "cli/files/output_file.h"
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
-#include "export/lightmap/lightmap.h"
-#include "export/mesh/gltf_nodes.h"
-#include "export/mesh/patch_mesh.h"
 #include "radiosity/run/solve.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,58 +14,22 @@
 
 namespace multipath {
 
-/// A solution and everything that the formats need. Data that several files share are computed once, when they are
-/// first needed.
-class SolvedScene
+/// A solution and what its files need besides. All references must outlive the object.
+struct OutputContent
 {
-public:
     /// Makes the bytes of a file that cannot be made from the solution alone. Called at most once for each file.
     using Bytes = std::function<std::string()>;
-
-    /// `origin`: provenance of the outputs. The arguments passed by reference must outlive the object.
-    SolvedScene(const Scene& of_scene, const Solution& of_solution, const PictureOptions& picture_options,
-                const std::vector<std::string>& origin, Bytes state_bytes, Bytes page_bytes);
 
     const Scene& scene;
     const Solution& solution;
     const PictureOptions& options;
+    const std::vector<Rgb>& shown;            ///< per patch: what pictures show [W/m^2], or a colour [1]
     const std::vector<std::string>& comments; ///< provenance, for formats that can hold text
-    const Bytes state;                        ///< bytes of a state file
-    const Bytes page;                         ///< bytes of a page
-
-    void show(std::size_t view); ///< selects the view with this index in options.views; initially the first
-
-    std::string one_comment() const;        ///< all comments in one line
-    const std::vector<Rgb>& shown_values(); ///< per patch: the quantity that pictures show [W/m^2], or a colour [1]
-    Image light();                          ///< the picture of these values, not tone-mapped
-    const ScreenImage& screen();            ///< the picture for a screen
-    const LightGrid& grid();                ///< the grid of --grid, which must be given
-    /// One line for the user with the statistics of the grid; empty if grid() was not called.
-    std::string grid_summary() const;
-    const Lightmap& lightmap(); ///< lightmap of the radiosity
-    /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
-    double linear_colour_scale() const;
-    std::string lightmap_png();
-    std::string file_name;         ///< name of the current output, without folder
-    const PatchMesh& mesh();       ///< mesh with the radiosity at its corners
-    const PatchMesh& plain_mesh(); ///< the same, but without the detail of textures in the radiosity
-    double mesh_scale();           ///< [m^2/W] scale by picture_scale(), for the colours of PLY and OBJ meshes
-    ScreenColour mesh_colour();    ///< function from radiosity to the colours of these meshes
-    std::vector<GlbCamera> mesh_cameras() const; ///< one for each view, or the only camera if options.views is empty
-    std::vector<std::string> mesh_comments();    ///< the comments, and one with mesh_scale()
-
-private:
-    Camera camera() const;
-
-    std::size_t view_ = 0;
-    std::optional<std::vector<Rgb>> shown_values_;
-    std::optional<ScreenImage> screen_;
-    std::optional<LightGrid> grid_;
-    std::optional<Lightmap> lightmap_;
-    std::optional<PatchMesh> mesh_;
-    std::optional<PatchMesh> plain_mesh_; ///< only in scenes with textures
-    std::optional<double> mesh_scale_;
+    Bytes state;                              ///< bytes of a state file
+    Bytes page;                               ///< bytes of a page
 };
+
+class SolvedScene; // formats.cpp
 
 /// Kinds of formats in the order in which files are made: the quickest first. If a signal ends the program, the
 /// remaining files can be made from the state.
@@ -114,8 +74,9 @@ std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>&
 /// A warning of one line for each PLY whose coordinates are not those of the scene (see mesh_origin()).
 std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene);
 
-/// Writes every output in its format and commits all. Throws OutputError. Throws InputError if a format cannot hold the
-/// result, and SettingsError for a grid that has no points or more than a million.
-void write_outputs(std::vector<PlannedOutput>& outputs, SolvedScene& solved);
+/// Writes every output in its format and commits all. Returns one line for the user with the statistics of a grid that
+/// was written; otherwise the text is empty. Throws OutputError. Throws InputError if a format cannot hold the result,
+/// and SettingsError for a grid that has no points or more than a million.
+std::string write_outputs(std::vector<PlannedOutput>& outputs, const OutputContent& content);
 
 } // namespace multipath

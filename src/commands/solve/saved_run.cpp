@@ -12,10 +12,10 @@
 #include "cli/files/output_file.h"
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
+#include "commands/commands.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
-#include "commands/solve/solve_table.h"
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
@@ -128,7 +128,7 @@ CommandLine command_line_of(const RunDescription& description, const std::vector
 {
     std::vector<std::string> words = more_words;
     words.insert(words.end(), description.arguments.begin(), description.arguments.end());
-    return {solve_table(), words};
+    return {solve_command().table, words};
 }
 
 void require_same_run(const RunDescription& saved, const std::string& path, const RunDescription& wanted)
@@ -189,8 +189,8 @@ StateKeeper::StateKeeper(StateOptions options, bool keep_last, RunDescription de
     : options_(std::move(options)),
       keep_last_(keep_last),
       description_(std::move(description)),
-      next_save_(Clock::now() +
-                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every)))
+      interval_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every))),
+      next_save_(Clock::now() + interval_)
 {
 }
 
@@ -234,10 +234,8 @@ bool StateKeeper::pause_now()
 {
     const Clock::time_point start = Clock::now();
     keep(options_.path);
-    const auto interval =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.save_every));
     // A large state is saved less often, so that saving takes at most about a tenth of the time.
-    next_save_ = Clock::now() + std::max(interval, 10 * (Clock::now() - start));
+    next_save_ = Clock::now() + std::max(interval_, 10 * (Clock::now() - start));
     return interrupted();
 }
 

@@ -114,6 +114,7 @@ private:
     bool keep_last_;
     RunDescription description_;
     std::optional<SavedRun> resumed_;
+    Clock::duration interval_; ///< between saves
     Clock::time_point next_save_;
     std::string last_bytes_;
     bool published_ = false;

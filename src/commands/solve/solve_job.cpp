@@ -15,7 +15,6 @@
 #include "commands/solve/formats.h"
 #include "commands/solve/solution_page.h"
 #include "commands/solve/solve_summary.h"
-#include "commands/solve/solve_table.h"
 #include "radiosity/run/replicates.h"
 #include "sampling/sequence.h"
 
@@ -135,15 +134,14 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
         return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
                              std::ref(progress));
     };
-    SolvedScene solved(
-        scene, solution, pictures, comments, [&] { return state; }, page);
+    const std::vector<Rgb> shown =
+        has_view(outputs) ? pictures.shown.values(scene, solution, job.options.threads) : std::vector<Rgb>{};
     if (!job.quiet && has_view(outputs) && pictures.shown.is_room())
-        print_note(black_picture_warning(scene, solved.shown_values(), pictures));
-    write_outputs(outputs, solved);
-    if (!job.quiet && job.pictures.grid)
-        print_note(solved.grid_summary());
+        print_note(black_picture_warning(scene, shown, pictures));
+    const std::string grid_note =
+        write_outputs(outputs, {scene, solution, pictures, shown, comments, [&] { return state; }, page});
     if (!job.quiet)
-        print_note(moved_coordinates_warning(outputs, scene));
+        print_note(grid_note + moved_coordinates_warning(outputs, scene));
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,

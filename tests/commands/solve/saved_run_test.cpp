@@ -1,7 +1,7 @@
 #include "commands/solve/saved_run.h"
 
 #include "base/errors.h"
-#include "commands/solve/solve_table.h"
+#include "commands/commands.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ RunDescription run_of(const std::vector<std::string>& options, Shard shard = {},
 {
     std::vector<std::string> words = {"room.obj"};
     words.insert(words.end(), options.begin(), options.end());
-    return description_of({solve_table(), words}, room(reflectance), shard);
+    return description_of({solve_command().table, words}, room(reflectance), shard);
 }
 
 /// What is said against going on from one run with another, or "".
