@@ -26,6 +26,8 @@ namespace {
 
 using namespace multipath;
 
+constexpr const char* out_of_memory = "out of memory; fewer patches need less (a larger --patch-size)";
+
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words)
 {
     if (!kernel_limit_is_known())
@@ -44,25 +46,20 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
         print(help_text(command.table));
         return exit_done;
     }
-    try {
-        return command.run(line);
-    } catch (InputError& error) {
-        error.append(advice_text(error.advice));
-        throw;
-    }
+    return command.run(line);
 }
 
-int out_of_memory()
+int failed(const std::string& message)
 {
-    std::fputs("multipath: out of memory; fewer patches need less (a larger --patch-size)\n", stderr);
+    print_note("multipath: " + message + "\n");
     return exit_failed;
 }
 
-int wrong_usage(const std::exception& error, const std::vector<Command>& commands, const std::string& command)
+int wrong_usage(const std::string& message, const std::vector<Command>& commands, const std::string& command)
 {
     const bool known =
         std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.table.name == command; });
-    print_note(format("multipath: %s\n%s\n", error.what(), help_hint(known ? command : "").c_str()));
+    failed(message + "\n" + help_hint(known ? command : ""));
     return exit_usage;
 }
 
@@ -83,17 +80,18 @@ int main(int argc, char** argv)
     try {
         return run(all, words);
     } catch (const UsageError& error) {
-        return wrong_usage(error, all, words[0]);
+        return wrong_usage(error.what(), all, words[0]);
     } catch (const SettingsError& error) {
-        return wrong_usage(error, all, words[0]);
+        return wrong_usage(error.what() + advice_text(error.advice), all, words[0]);
+    } catch (const InputError& error) {
+        return failed(error.what() + advice_text(error.advice));
     } catch (const ReaderGone&) {
         return exit_failed;
     } catch (const std::bad_alloc&) {
-        return out_of_memory();
+        return failed(out_of_memory);
     } catch (const std::length_error&) { // a vector or string larger than any memory
-        return out_of_memory();
+        return failed(out_of_memory);
     } catch (const std::exception& error) {
-        print_note(format("multipath: %s\n", error.what()));
+        return failed(error.what());
     }
-    return exit_failed;
 }

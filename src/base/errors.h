@@ -37,8 +37,6 @@ public:
     {
     }
 
-    void append(const std::string& text) { std::runtime_error::operator=(std::runtime_error(what() + text)); }
-
     std::vector<Advice> advice; ///< not yet in the message
 };
 

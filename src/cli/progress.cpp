@@ -3,7 +3,6 @@
 #include "base/platform/process.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -11,22 +10,19 @@ namespace multipath {
 
 namespace {
 
-enum class When { automatic, always, never };
-
-constexpr std::array<NamedValue<When>, 3> when_choices = {
-    {{"auto", When::automatic}, {"always", When::always}, {"never", When::never}}};
+const std::vector<std::string_view> when_choices = {"auto", "always", "never"};
 
 } // namespace
 
 Option progress_option()
 {
-    return {"progress", 0, "WHEN", "auto", "When to show progress on stderr.", false, names_of(when_choices)};
+    return {"progress", 0, "WHEN", "auto", "When to show progress on stderr.", false, when_choices};
 }
 
 ProgressStyle progress_style(const CommandLine& line)
 {
-    const When when = line.choice("progress", when_choices).value;
-    if (when == When::never || (line.has("quiet") && when == When::automatic))
+    const std::string when = line.text("progress");
+    if (when == "never" || (line.has("quiet") && when == "auto"))
         return ProgressStyle::none;
     return standard_error_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
 }
