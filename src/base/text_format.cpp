@@ -20,6 +20,11 @@ std::string format(const char* pattern, ...)
     return text;
 }
 
+std::string triple(double a, double b, double c, int digits)
+{
+    return format("(%.*g, %.*g, %.*g)", digits, a, digits, b, digits, c);
+}
+
 std::string grouped(std::uint64_t count)
 {
     std::string digits = std::to_string(count);

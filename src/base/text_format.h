@@ -15,6 +15,9 @@ __attribute__((format(printf, 1, 2)))
 std::string
 format(const char* pattern, ...);
 
+/// Three numbers with so many significant digits: "(1, 2.5, -3)".
+std::string triple(double a, double b, double c, int digits);
+
 /// A number with its digits in groups of three: "4,194,304".
 std::string grouped(std::uint64_t count);
 

@@ -50,12 +50,13 @@ std::string facing_text(const Emitter& emitter)
     const Vec3 n = normalized(emitter.facing);
     const char* word = n.y < -0.99 ? " (down)" : n.y > 0.99 ? " (up)" : "";
     const auto tidy = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
-    return format("(%.3g, %.3g, %.3g)%s", tidy(n.x), tidy(n.y), tidy(n.z), word);
+    return triple(tidy(n.x), tidy(n.y), tidy(n.z), 3) + word;
 }
 
-std::string rgb_text(Rgb c)
+/// "27 W (28, 27, 26)"
+std::string power_text(Rgb power, const SceneFile& scene, int digits)
 {
-    return format("(%.4g, %.4g, %.4g)", c.r, c.g, c.b);
+    return format("%.*g %s ", digits, mean(power), light_units(scene).power) + triple(power.r, power.g, power.b, 4);
 }
 
 std::string materials_text(const Scene& scene)
@@ -64,10 +65,12 @@ std::string materials_text(const Scene& scene)
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
         area[scene.file().material[s]] += scene.surfaces()[s].area();
     std::string text;
-    for (std::size_t m = 0; m < area.size(); ++m)
+    for (std::size_t m = 0; m < area.size(); ++m) {
+        const Rgb rho = scene.materials()[m].reflectance;
         if (area[m] > 0.0)
             text += format("  %-20s reflectance %-26s %10.4g m^2\n", scene.materials()[m].name.c_str(),
-                           rgb_text(scene.materials()[m].reflectance).c_str(), area[m]);
+                           triple(rho.r, rho.g, rho.b, 4).c_str(), area[m]);
+    }
     return text;
 }
 
@@ -75,12 +78,11 @@ std::string emitters_text(const Scene& scene)
 {
     std::string text;
     for (const Emitter& e : emitters(scene))
-        text += format("  %-20s %.5g %s %s from %.4g m^2, faces %s\n", e.material->name.c_str(), mean(e.power()),
-                       light_units(scene.file()).power, rgb_text(e.power()).c_str(), e.area, facing_text(e).c_str());
+        text += format("  %-20s %s from %.4g m^2, faces %s\n", e.material->name.c_str(),
+                       power_text(e.power(), scene.file(), 5).c_str(), e.area, facing_text(e).c_str());
     if (const std::optional<Sun>& sun = scene.file().sun)
-        text += format("  %-20s %.5g %s %s arrive from (%.3g, %.3g, %.3g)\n", "the sun", mean(scene.sun_power()),
-                       light_units(scene.file()).power, rgb_text(scene.sun_power()).c_str(), sun->direction.x,
-                       sun->direction.y, sun->direction.z);
+        text += format("  %-20s %s arrive from ", "the sun", power_text(scene.sun_power(), scene.file(), 5).c_str()) +
+                triple(sun->direction.x, sun->direction.y, sun->direction.z, 3) + "\n";
     return text;
 }
 
@@ -93,8 +95,7 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
 {
     std::string text;
     text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
-    text += format("  Phi_T  power of the sources      %.6g %s %s\n", mean(scene.source_power()),
-                   light_units(scene.file()).power, rgb_text(scene.source_power()).c_str());
+    text += "  Phi_T  power of the sources      " + power_text(scene.source_power(), scene.file(), 6) + "\n";
     text += format("  n_int  per line through the hull %.4f (measured %.4f); through the sphere %.4f (%.4f)\n",
                    r.intersections_per_hull_line, r.intersections_per_hull_line_measured,
                    r.intersections_per_sphere_line, r.intersections_per_sphere_line_measured);
@@ -119,9 +120,8 @@ std::string report_text(const Scene& scene, const SceneReport& report, const std
     const Vec3 high = scene.own_bounds().high;
     std::string text = scene.path() + ": " + scene.file().counts + "\n";
     const int digits = coordinate_digits(scene.own_bounds(), 5);
-    text += format("\nsize: %.5g x %.5g x %.5g m from (%.*g, %.*g, %.*g) to (%.*g, %.*g, %.*g)\n", high.x - low.x,
-                   high.y - low.y, high.z - low.z, digits, low.x, digits, low.y, digits, low.z, digits, high.x, digits,
-                   high.y, digits, high.z);
+    text += format("\nsize: %.5g x %.5g x %.5g m from ", high.x - low.x, high.y - low.y, high.z - low.z) +
+            triple(low.x, low.y, low.z, digits) + " to " + triple(high.x, high.y, high.z, digits) + "\n";
     text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.own_area(),
                    grouped(scene.patch_count()).c_str(), scene.patch_size(), report.hull_area);
     text += "\nmaterials:\n" + materials_text(scene);
@@ -191,6 +191,7 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     return json;
 }
 
+/// "27 W"; "" for a power that is not known.
 std::string power_text(double power, const SceneFile& scene)
 {
     return std::isfinite(power) ? format("%.4g %s", power, light_units(scene).power) : "";

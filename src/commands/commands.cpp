@@ -3,6 +3,8 @@
 #include "base/errors.h"
 #include "cli/options/choices.h"
 
+#include <algorithm>
+
 namespace multipath {
 
 std::vector<Command> commands()
@@ -16,14 +18,11 @@ std::vector<Command> commands()
 
 Command command_named(const std::string& name)
 {
-    std::vector<std::string> names;
-    for (const Command& command : commands()) {
-        if (command.table.name == name)
-            return command;
-        names.emplace_back(command.table.name);
-    }
-    throw UsageError((name[0] == '-' ? "unknown option " : "unknown command ") + quoted_argument(name) +
-                     did_you_mean(name, names));
+    const std::vector<Command> all = commands();
+    if (name[0] == '-')
+        throw UsageError("unknown option " + quoted_argument(name));
+    require_choice("command", name, names_of(tables_of(all)));
+    return *std::find_if(all.begin(), all.end(), [&](const Command& command) { return command.table.name == name; });
 }
 
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands)

@@ -178,8 +178,7 @@ std::string worst_text(const Comparison& c)
         const std::size_t i = patch.patch;
         const Vec3 centre = c.b.centres[i];
         text += format("         %9zu %6.2f %% %12.6g %12.6g   %-27s ", i, 100.0 * patch.share, mean(c.a.radiosity[i]),
-                       mean(c.b.radiosity[i]),
-                       format("(%.*g, %.*g, %.*g)", digits, centre.x, digits, centre.y, digits, centre.z).c_str()) +
+                       mean(c.b.radiosity[i]), triple(centre.x, centre.y, centre.z, digits).c_str()) +
                 c.b.materials[i] + "\n";
     }
     return text;

@@ -215,13 +215,9 @@ int run_help(const CommandLine& line)
 
 std::vector<HelpTopic> help_topics()
 {
-    return {{"scenes", "what is read from OBJ and MTL files", scenes_text},
-            {"methods", "methods to compute the light", methods_text()},
-            {"sequences", "sequences that generate the lines", sequences_text()},
-            {"numbers", "how numbers, sizes and times are written", numbers_text},
-            {"outputs", "formats of files by their extension", outputs_text()},
-            {"states", "resume a run, split it among computers, make other pictures", states_text},
-            {"exit-codes", "what the program returns", exit_codes_text}};
+    return {{"scenes", scenes_text},        {"methods", methods_text()}, {"sequences", sequences_text()},
+            {"numbers", numbers_text},      {"outputs", outputs_text()}, {"states", states_text},
+            {"exit-codes", exit_codes_text}};
 }
 
 Command help_command(const std::vector<Command>& others)

@@ -22,7 +22,7 @@ scene() {
 check "a scene is checked: balance of power, agreement of the methods; only failures can be shown" scene
 
 wrong_usage() {
-    ends 2 selftest --case furnance && says err "did you mean furnace" &&
+    ends 2 selftest --case furnance && says err "got 'furnance'" &&
         ends 2 selftest --patch-size 1 && says err "--patch-size has no effect without SCENE.obj" &&
         ends 2 selftest "$root/scenes/5cubes.obj" --case furnace && says err "--case has no effect with SCENE.obj" &&
         ends 1 selftest none.obj && says err none.obj

@@ -136,7 +136,7 @@ seconds_plot() {
 check "--against seconds draws the error against time" seconds_plot
 
 refusals() {
-    ends 2 study "$scene" --methods gobal && says err "did you mean global" || return
+    ends 2 study "$scene" --methods gobal && says err "got 'gobal'" || return
     ends 2 study "$scene" --sequences random,,sobol && says err "names with a comma between them" || return
     ends 2 study "$scene" --sequences random,random && says err "named twice" || return
     ends 2 study "$scene" --sequences sobl && says err "sobl" || return

@@ -47,17 +47,15 @@ narrow_help() {
 }
 check "the help fits into 100 columns" narrow_help
 
-unknown_command() { ends 2 sovle && silent out && says err "did you mean solve"; }
-check "a misspelled command is answered with the right one" unknown_command
+unknown_command() { ends 2 sovle && silent out && says err "expected one of solve"; }
+check "a misspelled command is answered with the list of all" unknown_command
 
-foreign_command() { ends 2 frobnicate && silent out && says err frobnicate && ! grep -q "did you mean" err; }
-check "a foreign command is refused without a guess" foreign_command
 
 unknown_option() {
-    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "did you mean --lines" &&
+    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "unknown option '--line'" &&
         says err "multipath solve --help"
 }
-check "a misspelled option is answered with the right one and the way to the help" unknown_option
+check "a misspelled option is answered with the way to the help" unknown_option
 
 # Each is wrong whatever the scene, and found before the scene is read.
 # usage: refused TEXT ARGS...
@@ -68,7 +66,7 @@ refused() {
 }
 check "a number that is none is refused" refused "--lines: expected a count" --lines ten
 check "a decimal comma is refused" refused "--lines: expected a count" --lines 1,5
-check "an unknown method is answered with the right one" refused "did you mean global" --method globl
+check "an unknown method is refused" refused "got 'globl'" --method globl
 check "a value that is missing is asked for" refused "--lines needs a value" --lines
 check "an option given twice is refused" refused "--lines is given twice" --lines 5 --lines 6
 check "an error to show needs more than one run" refused "expected --replicates" --show error
@@ -76,7 +74,7 @@ check "and the refusal names the other way to have it" refused "--tolerance" --s
 check "an error to stop at needs more than one run" refused "--replicates: --tolerance and --time need at least 2" --tolerance 1% --replicates 1
 check "replicates of a sequence without a random form are refused" refused "--sequence: hammersley has no randomised form" \
     --sequence hammersley:5000 --replicates 2
-check "a quantity that is none is answered with the right one" refused "did you mean error" --show eror
+check "a quantity that is none is refused" refused "got 'eror'" --show eror
 check "false colours are not exposed" refused "--exposure has no effect with --show irradiance" --show irradiance --exposure 1
 check "nor interpolated" refused "--shading has no effect with --show patches" --show patches --shading smooth
 check "a flag with a value is refused" refused "--quiet takes no value" --quiet=yes

@@ -304,9 +304,7 @@ std::string_view output_extension(const std::string& path, const std::vector<std
             longest = known;
     if (!longest.empty())
         return longest;
-    const std::string extension = name.substr(std::min(name.find_last_of('.'), name.size()));
-    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " + join(extensions) +
-                     did_you_mean(extension, {extensions.begin(), extensions.end()}));
+    throw UsageError("--output: '" + path + "' does not end in a known extension; expected one of " + join(extensions));
 }
 
 std::vector<PlannedOutput> open_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs,

@@ -68,7 +68,7 @@ private:
         if (name == "help")
             given["help"] = {""};
         else if (option == nullptr)
-            refuse_unknown(argument.substr(0, equals));
+            throw UsageError("unknown option " + quoted_argument(argument.substr(0, equals)));
         else if (option->argument.empty() && equals != std::string::npos)
             throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(argument.substr(equals + 1)));
         else if (option->argument.empty())
@@ -85,7 +85,8 @@ private:
             if (argument[i] == 'h') {
                 given["help"] = {""};
             } else if (option == nullptr) {
-                refuse_unknown(i == 1 ? argument : std::string("-") + argument[i]);
+                throw UsageError("unknown option " +
+                                 quoted_argument(i == 1 ? argument : std::string("-") + argument[i]));
             } else if (option->argument.empty()) {
                 record(*option, "");
             } else {
@@ -118,14 +119,6 @@ private:
         if (std::find(values.begin(), values.end(), value) != values.end())
             throw UsageError(dashed(option) + ": " + quoted_argument(value) + " is named twice");
         values.push_back(value);
-    }
-
-    [[noreturn]] void refuse_unknown(const std::string& typed) const
-    {
-        std::vector<std::string> names = {"--help"};
-        for (const Option& option : all_options(table_.groups))
-            names.push_back(dashed(option));
-        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
     }
 
     void check_operands() const

@@ -17,9 +17,8 @@ std::string wrapped_text(std::string_view text, std::size_t column, std::size_t 
 /// A subject that `multipath help` explains besides the commands.
 struct HelpTopic
 {
-    std::string_view name;    ///< "scenes"; differs from all commands
-    std::string_view summary; ///< one line, without a full stop
-    std::string text;         ///< lines of at most 80 columns
+    std::string_view name; ///< "scenes"; differs from all commands
+    std::string text;      ///< lines of at most 80 columns
 };
 
 /// Purpose of the program, one sentence.

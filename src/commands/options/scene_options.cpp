@@ -115,10 +115,10 @@ std::string advice_text(const std::vector<Advice>& list)
 {
     std::string text;
     for (const Advice& advice : list)
-        text += (!advice.effect.empty() ? ";"
-                 : text.empty()         ? ":"
-                                        : "") +
-                option_text(advice) + (advice.effect.empty() ? "" : " " + advice.effect);
+        if (advice.effect.empty())
+            text += (text.empty() ? ":" : "") + option_text(advice);
+        else
+            text += ";" + option_text(advice) + " " + advice.effect;
     return text;
 }
 
@@ -231,17 +231,14 @@ Scene read_scene(const CommandLine& line, int threads)
         file.counts +=
             "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) + " where partitions stand";
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
-    double patch_size = given_size;
+    std::uint64_t cells = 0; // 0: by a patch size
     if (line.has("patches"))
-        patch_size = patch_size_for_count(
-            file.surfaces, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(wanted) / sides)));
-    else if (!line.has("patch-size")) {
-        const std::uint64_t adaptive = adaptive_patches(line, file.surfaces);
-        patch_size = adaptive > 0
-                         ? patch_size_for_count(file.surfaces,
-                                                coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides))
-                         : default_patch_size(file.surfaces);
-    }
+        cells = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(wanted) / sides));
+    else if (const std::uint64_t adaptive = adaptive_patches(line, file.surfaces); adaptive > 0)
+        cells = coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides);
+    const double patch_size = given_size > 0.0 ? given_size
+                              : cells > 0      ? patch_size_for_count(file.surfaces, cells)
+                                               : default_patch_size(file.surfaces);
     file.sun = sun;
     file.photometric = line.choice("unit-light", light_choices).value;
     if (line.has("sky"))
