@@ -45,12 +45,6 @@ Stage read_stage(const CommandLine& line)
     return {stage, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
-TracedRange read_traced_range(const CommandLine& line, std::size_t pass)
-{
-    return {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
-            read_count("--lines", line.text("lines"), 1, most_traced_lines), pass};
-}
-
 LineDrawing drawing_of(const TracedRun& run, const StageTrace& trace)
 {
     LineDrawing drawing;
@@ -67,7 +61,8 @@ int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
     const Stage stage = read_stage(line);
-    const TracedRange range = read_traced_range(line, stage.pass);
+    const TracedRange range = {read_count("--first", line.text("first"), 1, std::uint64_t{1} << 48) - 1,
+                               read_count("--lines", line.text("lines"), 1, most_traced_lines), stage.pass};
     const Vec3 up = read_direction("--up", line.text("up"));
     const SolveOptions options = read_solve_options(line, "of");
     const std::string sequence = checked_sequence_name(options);

@@ -29,14 +29,6 @@ void require_effect(const CommandLine& line)
             throw UsageError("--" + std::string(option.name) + " has no effect without SCENE.obj");
 }
 
-/// Settings for the user's scene: fewer runs than for the known scenes, and at least 128 lines per patch up to 2^20.
-SelftestSettings settings_for(const Scene& scene, SelftestSettings settings)
-{
-    settings.replicates = 16;
-    settings.lines = std::min<std::uint64_t>(1 << 20, std::max<std::uint64_t>(1 << 16, 128ull * scene.patch_count()));
-    return settings;
-}
-
 /// The known scenes that --case names, or all of them.
 std::vector<KnownScene> chosen_scenes(const CommandLine& line)
 {
@@ -71,7 +63,8 @@ int run_selftest(const CommandLine& line)
         scene.emplace(read_scene(line, settings.threads));
         require_no_input(outputs, input_files(scene->file()));
         comments = provenance(line, *scene);
-        settings = settings_for(*scene, settings);
+        settings.replicates = 16; // fewer runs than for the known scenes
+        settings.lines = std::clamp<std::uint64_t>(128ull * scene->patch_count(), 1 << 16, 1 << 20);
     }
     std::vector<Check> checks;
     {

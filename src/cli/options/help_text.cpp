@@ -81,12 +81,6 @@ std::string option_help(const Option& option)
     return option.help + (facts.empty() ? "" : " (" + join(facts, "; ") + ")");
 }
 
-std::string usage_line(const CommandTable& table)
-{
-    return "multipath " + std::string(table.name) + " [OPTIONS]" + (table.operands.empty() ? "" : " ") +
-           operands_text(table.operands);
-}
-
 std::string help_hint(std::string_view command)
 {
     return "try 'multipath " + std::string(command) + (command.empty() ? "" : " ") + "--help'";
@@ -96,7 +90,9 @@ std::string help_text(const CommandTable& table)
 {
     const std::vector<OptionGroup> groups = groups_with_help(table);
     const std::size_t indent = left_width(groups);
-    std::string text = "usage: " + usage_line(table) + "\n\n" + wrapped_text(table.summary, 0, 0, page_width);
+    std::string text = "usage: multipath " + std::string(table.name) + " [OPTIONS]" +
+                       (table.operands.empty() ? "" : " ") + operands_text(table.operands) + "\n\n" +
+                       wrapped_text(table.summary, 0, 0, page_width);
     for (const OptionGroup& group : groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)

@@ -35,9 +35,6 @@ std::string two_columns(const std::string& left, std::string_view right, std::si
 /// The help of an option, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
 std::string option_help(const Option& option);
 
-/// `multipath solve [OPTIONS] SCENE.obj`
-std::string usage_line(const CommandTable& table);
-
 /// `try 'multipath solve --help'`; for an empty command name `try 'multipath --help'`.
 std::string help_hint(std::string_view command);
 

@@ -30,21 +30,17 @@ std::vector<ViewerLine> viewer_lines(const StageTrace& trace)
     return lines;
 }
 
-ViewerChapter viewer_chapter(const StageTrace& trace)
-{
-    return {trace.chapter,
-            trace.chapter_note + " The first " + grouped(trace.lines.size()) + " of " + grouped(trace.count) + " " +
-                trace.which + ".",
-            viewer_lines(trace)};
-}
-
 /// Appends a chapter with the first 100, 10 or 1 lines of a stage, as many as it has; none if it has no lines.
 void append(std::vector<ViewerChapter>& chapters, const StageTracer& tracer, const Scene& scene,
             const SolveOptions& options)
 {
     for (const std::uint64_t count : {100u, 10u, 1u}) {
         try {
-            chapters.push_back(viewer_chapter(tracer.trace(scene, options, {0, count})));
+            const StageTrace trace = tracer.trace(scene, options, {0, count});
+            chapters.push_back({trace.chapter,
+                                trace.chapter_note + " The first " + grouped(trace.lines.size()) + " of " +
+                                    grouped(trace.count) + " " + trace.which + ".",
+                                viewer_lines(trace)});
             return;
         } catch (const InputError&) {
             continue; // the stage has fewer lines
@@ -67,14 +63,6 @@ std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparati
     }
 }
 
-std::vector<Rgb> patch_areas(const Scene& scene)
-{
-    std::vector<Rgb> areas;
-    for (const double area : scene.weights())
-        areas.push_back({area, area, area});
-    return areas;
-}
-
 /// The quantities that the page can show, the radiosity first.
 std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solution, int threads)
 {
@@ -87,16 +75,11 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
                               shown.is_room() ? ViewerColours::light : ViewerColours::scale,
                               shown.values(scene, solution, threads)});
         }
-    result.push_back({"area", "Patch size", "m²", ViewerColours::scale, patch_areas(scene)});
+    std::vector<Rgb> areas;
+    for (const double area : scene.weights())
+        areas.push_back({area, area, area});
+    result.push_back({"area", "Patch size", "m²", ViewerColours::scale, areas});
     return result;
-}
-
-/// Index of the quantity that pictures show, or of the radiosity if the page does not have it.
-std::size_t shown_first(const std::vector<ViewerQuantity>& quantities, const ShownQuantity& shown)
-{
-    const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                    [&](const ViewerQuantity& quantity) { return quantity.key == shown.name; });
-    return found == quantities.end() ? 0 : static_cast<std::size_t>(found - quantities.begin());
 }
 
 } // namespace
@@ -170,7 +153,10 @@ std::string solution_page(const TracedRun& run, const Solution& solution, const 
     content.render = picture_options.render;
     content.tone = picture_options.tone;
     content.quantities = quantities(run.scene, solution, run.options.threads);
-    content.shown = shown_first(content.quantities, picture_options.shown);
+    content.shown = 0; // the radiosity, if the page does not have what pictures show
+    for (std::size_t k = 0; k < content.quantities.size(); ++k)
+        if (content.quantities[k].key == picture_options.shown.name)
+            content.shown = k;
     content.lines = solution.local_lines + solution.global_lines;
     content.stages =
         solve_stages(run.scene, run.options, stage_lines(content.lines, run.scene.patch_count()), progress);

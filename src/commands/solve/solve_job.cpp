@@ -24,22 +24,17 @@ namespace multipath {
 
 namespace {
 
-/// True if every patch emits: such a scene looks right even if no lamp lights another.
-bool everything_shines(const Scene& scene)
+/// True if some patch sends more light than it emits (white ones absorb nothing, however bright they are), or if all
+/// emit: such a scene looks right even if no lamp lights another.
+bool has_bright_surfaces(const Scene& scene, const Solution& solution)
 {
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (!(mean(scene.emittance(i)) > 0.0))
-            return false;
-    return true;
-}
-
-/// True if some surface sends more light than it emits. White ones absorb nothing, however bright they are.
-bool reflects_light(const Scene& scene, const Solution& solution)
-{
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+    bool all_emit = true;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         if (mean(solution.radiosity[i] - scene.emittance(i)) > 1e-9 * mean(solution.radiosity[i]))
             return true;
-    return false;
+        all_emit = all_emit && mean(scene.emittance(i)) > 0.0;
+    }
+    return all_emit;
 }
 
 /// Throws SettingsError or InputError, with the reason, if no light has reached any surface: a black picture is not a
@@ -52,7 +47,7 @@ void require_light(const Scene& scene, const Solution& solution)
             scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
             (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "see 'multipath check'"));
     const double rounding = 1e-9 * mean(balance.emitted); // line reuse gets some powers as differences
-    if (mean(balance.absorbed) > rounding || reflects_light(scene, solution) || everything_shines(scene))
+    if (mean(balance.absorbed) > rounding || has_bright_surfaces(scene, solution))
         return;
     if (solution.all_lines < scene.patch_count())
         throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
