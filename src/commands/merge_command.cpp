@@ -106,7 +106,7 @@ int run_merge(const CommandLine& line)
         concatenated({input_files(*runs[0].description.scene.file), line.operands(), line.all("camera")});
     const std::vector<std::string> paths =
         line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
-    std::vector<PlannedOutput> outputs = open_solution_outputs(paths, inputs, job.pictures.views);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(job.line, paths, inputs, job.pictures);
     const Scene scene = restored(runs[0].description.scene);
     require_results_possible(job, scene, outputs);
     SavedRun sum =

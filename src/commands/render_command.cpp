@@ -23,7 +23,7 @@ int run_render(const CommandLine& line)
     const std::vector<std::string> inputs =
         concatenated({input_files(*saved.description.scene.file), line.operands(), line.all("camera")});
     std::vector<PlannedOutput> outputs = open_solution_outputs(
-        line.has("output") ? line.all("output") : default_outputs(line.operands()[0]), inputs, job.pictures.views);
+        job.line, line.has("output") ? line.all("output") : default_outputs(line.operands()[0]), inputs, job.pictures);
     const Scene scene = restored(saved.description.scene);
     require_results_possible(job, scene, outputs);
     const Solution solution = finished_solution(saved, scene);

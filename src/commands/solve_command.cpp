@@ -207,7 +207,7 @@ int run_solve(const CommandLine& line)
     require_valid_shard(line, job, state);
     const std::vector<std::string> inputs =
         concatenated({{scene_path(line)}, line.all("state"), line.all("from-state"), line.all("camera")});
-    std::vector<PlannedOutput> outputs = open_solution_outputs(output_paths(line, state), inputs, job.pictures.views);
+    std::vector<PlannedOutput> outputs = open_solution_outputs(line, output_paths(line, state), inputs, job.pictures);
 
     Scene coarse = read_scene(line, thread_count(line));
     require_no_input(outputs, input_files(coarse.file()));

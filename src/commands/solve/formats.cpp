@@ -5,6 +5,7 @@
 #include "base/text_format.h"
 #include "cli/options/choices.h"
 #include "cli/progress.h"
+#include "commands/options/memory_limit.h"
 #include "export/csv_text.h"
 #include "export/lightmap/lightmap.h"
 #include "export/lightmap/lightmap_files.h"
@@ -329,9 +330,10 @@ std::vector<std::string> default_outputs(const std::string& path)
     return outputs;
 }
 
-std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
-                                                 const std::vector<std::string>& inputs, const std::vector<View>& views)
+std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const std::vector<std::string>& paths,
+                                                 const std::vector<std::string>& inputs, const PictureOptions& pictures)
 {
+    const std::vector<View>& views = pictures.views;
     std::vector<std::string> names;
     std::vector<std::size_t> shown;
     for (const std::string& path : paths) {
@@ -347,6 +349,9 @@ std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>&
     std::vector<PlannedOutput> outputs = open_outputs(names, inputs, extensions_of_formats());
     for (std::size_t i = 0; i < outputs.size(); ++i)
         outputs[i].view = shown[i];
+    const RenderOptions& render = pictures.render;
+    if (has_kind(outputs, FormatKind::picture))
+        require_memory_for_picture(line, render.width, render.height, render.shading == Shading::gather);
     return outputs;
 }
 

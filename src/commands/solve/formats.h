@@ -66,10 +66,10 @@ std::vector<std::string> default_outputs(const std::string& path);
 
 /// Calls open_outputs() with these formats and throws the same errors. If there are several views, every picture
 /// becomes one file for each view: "room.png" becomes "room-door.png" for the view `door`; a picture on standard output
-/// is a UsageError in this case.
-std::vector<PlannedOutput> open_solution_outputs(const std::vector<std::string>& paths,
+/// is a UsageError in this case. Throws InputError if the memory that `line` allows cannot hold a picture.
+std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const std::vector<std::string>& paths,
                                                  const std::vector<std::string>& inputs,
-                                                 const std::vector<View>& views);
+                                                 const PictureOptions& pictures);
 
 /// A warning of one line for each PLY whose coordinates are not those of the scene (see mesh_origin()).
 std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene);

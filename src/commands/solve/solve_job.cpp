@@ -66,15 +66,6 @@ void require_error_to_show(const PictureOptions& pictures, const Accuracy& accur
                          std::string(pictures.shown.name));
 }
 
-/// Throws InputError if the memory cannot hold the pictures. Without --output there are pictures, except for a shard.
-void require_memory_for_pictures(const CommandLine& line, const RenderOptions& render)
-{
-    const std::vector<std::string> paths = line.all("output");
-    const auto is_picture = [](const std::string& path) { return kind_of(path) == FormatKind::picture; };
-    if (paths.empty() ? !line.has("shard") : std::any_of(paths.begin(), paths.end(), is_picture))
-        require_memory_for_picture(line, render.width, render.height, render.shading == Shading::gather);
-}
-
 double seconds_since(SolveJob::Clock::time_point start)
 {
     return std::chrono::duration<double>(SolveJob::Clock::now() - start).count();
@@ -104,7 +95,6 @@ SolveJob read_solve_job(const CommandLine& line)
     require_options_with_effect(line);
     SolveJob job{line, read_solve_options(line, "lines"), read_accuracy(line), {}, "", line.has("quiet")};
     job.pictures = read_picture_options(line, job.options.threads);
-    require_memory_for_pictures(line, job.pictures.render);
     require_error_to_show(job.pictures, job.accuracy);
     const std::string name = checked_sequence_name(job.options);
     job.sequence = job.accuracy.replicates > 1 ? randomised_name(name) : name;

@@ -27,8 +27,7 @@ struct SolveJob
     Clock::time_point start = Clock::now();
 };
 
-/// Reads the options. Throws UsageError. Throws InputError for a faulty file of --camera, or if the memory cannot hold
-/// the pictures.
+/// Reads the options. Throws UsageError, and InputError for a faulty file of --camera.
 SolveJob read_solve_job(const CommandLine& line);
 
 /// Checks before the work that the outputs can be made. Throws SettingsError for an invalid camera, InputError for a

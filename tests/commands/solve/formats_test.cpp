@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "commands/commands.h"
 #include "commands/solve/formats.h"
 
 #include "cli/options/choices.h"
@@ -47,7 +48,8 @@ struct SolvedRoom
     {
         const ScratchFolder folder;
         const std::string path = folder.path("room" + std::string(extension));
-        std::vector<PlannedOutput> outputs = open_solution_outputs({path}, {}, {});
+        std::vector<PlannedOutput> outputs =
+            open_solution_outputs(CommandLine(solve_command().table, {"room.obj"}), {path}, {}, pictures);
         const std::vector<Rgb> shown = pictures.shown.values(scene, solution, 1);
         write_outputs(outputs, {scene, solution, pictures, shown, comments, [] { return "the state"; },
                                 [] { return "the page"; }});
