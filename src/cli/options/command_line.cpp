@@ -65,9 +65,7 @@ private:
         const std::size_t equals = argument.find('=');
         const std::string name = argument.substr(2, equals == std::string::npos ? equals : equals - 2);
         const Option* option = find_option(table_, name);
-        if (name == "help")
-            given["help"] = {""};
-        else if (option == nullptr)
+        if (option == nullptr)
             throw UsageError("unknown option " + quoted_argument(argument.substr(0, equals)));
         else if (option->argument.empty() && equals != std::string::npos)
             throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(argument.substr(equals + 1)));
@@ -82,9 +80,7 @@ private:
     {
         for (std::size_t i = 1; i < argument.size() && !help_wanted(); ++i) {
             const Option* option = first_option(table_, [&](const Option& o) { return o.short_name == argument[i]; });
-            if (argument[i] == 'h') {
-                given["help"] = {""};
-            } else if (option == nullptr) {
+            if (option == nullptr) {
                 throw UsageError("unknown option " +
                                  quoted_argument(i == 1 ? argument : std::string("-") + argument[i]));
             } else if (option->argument.empty()) {
@@ -155,6 +151,12 @@ std::string operands_text(const std::vector<Operand>& operands)
     return join(texts, " ");
 }
 
+CommandTable with_help(CommandTable table)
+{
+    table.groups.push_back({"Help", {{"help", 'h', "", "", "Print this help."}}});
+    return table;
+}
+
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
 {
     const auto left_out = [&](const Option& option) {
@@ -183,7 +185,8 @@ std::string option_text(std::string_view name, std::string_view value)
            (value.empty() ? "" : (value.substr(0, 2) == "--" ? "=" : " ") + shell_word(value));
 }
 
-CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table)
+CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments)
+    : table_(with_help(table))
 {
     Reader reader(table_, arguments);
     reader.read();
@@ -193,7 +196,7 @@ CommandLine::CommandLine(const CommandTable& table, const std::vector<std::strin
 
 bool CommandLine::has(std::string_view name) const
 {
-    assert(name == "help" || find_option(table_, name) != nullptr);
+    assert(knows(name));
     return given_.find(name) != given_.end();
 }
 

@@ -62,6 +62,9 @@ struct CommandTable
 /// The operands as the usage line shows them: "SCENE.obj", "STATE...", "A [B]".
 std::string operands_text(const std::vector<Operand>& operands);
 
+/// A copy of the table with one more group, of --help.
+CommandTable with_help(CommandTable table);
+
 /// A copy of the group without the options of these long names.
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names);
 

@@ -32,14 +32,6 @@ std::size_t left_width(const std::vector<OptionGroup>& groups)
     return widest;
 }
 
-/// The groups of a command, and one with --help.
-std::vector<OptionGroup> groups_with_help(const CommandTable& table)
-{
-    std::vector<OptionGroup> groups = table.groups;
-    groups.push_back({"Help", {{"help", 'h', "", "", "Print this help."}}});
-    return groups;
-}
-
 } // namespace
 
 std::string wrapped_text(std::string_view text, std::size_t column, std::size_t indent, std::size_t width)
@@ -88,7 +80,7 @@ std::string help_hint(std::string_view command)
 
 std::string help_text(const CommandTable& table)
 {
-    const std::vector<OptionGroup> groups = groups_with_help(table);
+    const std::vector<OptionGroup> groups = with_help(table).groups;
     const std::size_t indent = left_width(groups);
     std::string text = "usage: multipath " + std::string(table.name) + " [OPTIONS]" +
                        (table.operands.empty() ? "" : " ") + operands_text(table.operands) + "\n\n" +
@@ -261,7 +253,7 @@ std::string command_case(const CommandTable& table)
 {
     std::string values;
     std::string names;
-    for (const Option& option : all_options(groups_with_help(table))) {
+    for (const Option& option : all_options(with_help(table).groups)) {
         values += option.argument.empty() ? "" : value_case(option);
         names += (names.empty() ? "--" : " --") + std::string(option.name);
     }
