@@ -50,12 +50,11 @@ check "the help fits into 100 columns" narrow_help
 unknown_command() { ends 2 sovle && silent out && says err "expected one of solve"; }
 check "a misspelled command is answered with the list of all" unknown_command
 
-
 unknown_option() {
-    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "unknown option '--line'" &&
+    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "did you mean --lines" &&
         says err "multipath solve --help"
 }
-check "a misspelled option is answered with the way to the help" unknown_option
+check "a misspelled option is answered with the right one and the way to the help" unknown_option
 
 # Each is wrong whatever the scene, and found before the scene is read.
 # usage: refused TEXT ARGS...

@@ -66,7 +66,7 @@ private:
         const std::string name = argument.substr(2, equals == std::string::npos ? equals : equals - 2);
         const Option* option = find_option(table_, name);
         if (option == nullptr)
-            throw UsageError("unknown option " + quoted_argument(argument.substr(0, equals)));
+            refuse_unknown(argument.substr(0, equals));
         else if (option->argument.empty() && equals != std::string::npos)
             throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(argument.substr(equals + 1)));
         else if (option->argument.empty())
@@ -81,8 +81,7 @@ private:
         for (std::size_t i = 1; i < argument.size() && !help_wanted(); ++i) {
             const Option* option = first_option(table_, [&](const Option& o) { return o.short_name == argument[i]; });
             if (option == nullptr) {
-                throw UsageError("unknown option " +
-                                 quoted_argument(i == 1 ? argument : std::string("-") + argument[i]));
+                refuse_unknown(i == 1 ? argument : std::string("-") + argument[i]);
             } else if (option->argument.empty()) {
                 record(*option, "");
             } else {
@@ -115,6 +114,14 @@ private:
         if (std::find(values.begin(), values.end(), value) != values.end())
             throw UsageError(dashed(option) + ": " + quoted_argument(value) + " is named twice");
         values.push_back(value);
+    }
+
+    [[noreturn]] void refuse_unknown(const std::string& typed) const
+    {
+        std::vector<std::string> names;
+        for (const Option& option : all_options(table_.groups))
+            names.push_back(dashed(option));
+        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
     }
 
     void check_operands() const

@@ -384,7 +384,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         const double repeated = sums.squares / (sums.area * sums.area); // 1 / n
         // Quasi-random rays are less correlated than random ones: measured in open boxes and rooms with windows.
         const double even = std::sqrt(std::min(1.0, 16.0 * repeated));
-        const double factor = even * std::min(quotient(1.0, 1.0 - repeated), quotient(most, repeated));
+        const double factor = even * (1.0 / std::max(1.0 - repeated, repeated / most));
         const Rgb sent = (factor / sums.area) * reflectance[i];
         const Rgb irradiance = (1.0 / sums.area) * sums.light;
         SentBack& own = senders[i];
