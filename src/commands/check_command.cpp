@@ -6,7 +6,6 @@
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "export/json.h"
-#include "scene/obj/light_advice.h"
 #include "scene/scene_file.h"
 
 #include <algorithm>
@@ -191,50 +190,11 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     return json;
 }
 
-/// "27 W"; "" for a power that is not known.
-std::string power_text(double power, const SceneFile& scene)
-{
-    return std::isfinite(power) ? format("%.4g %s", power, light_units(scene).power) : "";
-}
-
-/// The options that would give light to a scene without emitters, each with the power that would arrive.
-std::string dark_text(const DarkScene& dark)
-{
-    std::string text = dark.scene->path + ": no emitter; approximate power that would arrive on fronts with\n";
-    for (const LightYield& yield : light_yields(dark.candidates, *dark.scene))
-        text += format(" %-39s %12s%s\n", option_text(yield.advice).c_str(),
-                       power_text(yield.arriving, *dark.scene).c_str(),
-                       std::isfinite(yield.emitted) ? (" of " + power_text(yield.emitted, *dark.scene)).c_str() : "");
-    return text;
-}
-
-JsonObject dark_json(const DarkScene& dark)
-{
-    std::vector<JsonObject> lights;
-    for (const LightYield& yield : light_yields(dark.candidates, *dark.scene))
-        lights.push_back(JsonObject()
-                             .text("option", option_text(yield.advice).substr(1))
-                             .number("emitted_w", yield.emitted)
-                             .number("arriving_w", yield.arriving));
-    return JsonObject().text("scene", dark.scene->path).text("error", dark.what()).objects("lights", lights);
-}
-
-/// Reads the scene. If it has no light, prints the options that would give it some and throws DarkScene.
-Scene scene_for_check(const CommandLine& line, int threads)
-{
-    try {
-        return read_scene(line, threads);
-    } catch (const DarkScene& dark) {
-        print(line.has("json") ? dark_json(dark).document() : dark_text(dark));
-        throw;
-    }
-}
-
 int run_check(const CommandLine& line)
 {
     const std::uint64_t lines = read_count("--lines", line.text("lines"), 1000, std::uint64_t{1} << 40);
     const int threads = thread_count(line);
-    const Scene scene = scene_for_check(line, threads);
+    const Scene scene = read_scene(line, threads);
     const SceneReport report = report_on(scene, lines, threads);
     const std::vector<Finding> findings = findings_of(scene, report);
     const std::string text =

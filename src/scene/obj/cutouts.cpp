@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -30,6 +32,15 @@ struct Mask
     std::vector<char> opaque;
     bool is_uniform = false;
 
+    Mask(std::int64_t w, std::int64_t h, bool is_repeating, std::vector<char> pixels)
+        : width(w),
+          height(h),
+          repeats(is_repeating),
+          opaque(std::move(pixels)),
+          is_uniform(std::count(opaque.begin(), opaque.end(), opaque[0]) == w * h)
+    {
+    }
+
     bool at(std::int64_t x, std::int64_t y) const
     {
         const auto within = [&](std::int64_t i, std::int64_t n) {
@@ -39,49 +50,38 @@ struct Mask
     }
 };
 
-void note_uniformity(Mask& mask)
-{
-    mask.is_uniform = std::count(mask.opaque.begin(), mask.opaque.end(), mask.opaque[0]) == mask.width * mask.height;
-}
-
 /// The mask of an image; `of_opacity`: if it has no transparent pixel, its brightness is the opacity (`map_d`).
 Mask mask_of(const Texture& texture, bool of_opacity)
 {
     const Bitmap& bitmap = texture.bitmap();
-    Mask mask{bitmap.width, bitmap.height, texture.repeats(), {}, true};
     const auto is_transparent = [](std::uint8_t alpha) { return alpha < 128; };
     const bool by_alpha = std::any_of(bitmap.alpha.begin(), bitmap.alpha.end(), is_transparent);
-    mask.opaque.assign(std::size_t{bitmap.width} * bitmap.height, 1);
-    if (!by_alpha && !of_opacity)
-        return mask;
-    auto opaque = mask.opaque.begin();
+    std::vector<char> opaque;
+    opaque.reserve(std::size_t{bitmap.width} * bitmap.height);
     for (std::size_t y = bitmap.height; y-- > 0;)
-        for (std::size_t x = 0; x < bitmap.width; ++x, ++opaque) {
+        for (std::size_t x = 0; x < bitmap.width; ++x) {
             const std::size_t pixel = y * bitmap.width + x;
             const std::uint8_t* rgb = bitmap.rgb.data() + 3 * pixel;
-            *opaque = by_alpha ? !is_transparent(bitmap.alpha[pixel]) : rgb[0] + rgb[1] + rgb[2] >= 3 * 128;
+            opaque.push_back(by_alpha ? !is_transparent(bitmap.alpha[pixel])
+                                      : !of_opacity || rgb[0] + rgb[1] + rgb[2] >= 3 * 128);
         }
-    note_uniformity(mask);
-    return mask;
+    return {bitmap.width, bitmap.height, texture.repeats(), std::move(opaque)};
 }
 
 /// The mask with pixels 2^level times as wide and high, as far as the size allows.
 Mask coarser(const Mask& fine, unsigned level)
 {
-    Mask mask{std::max<std::int64_t>(1, fine.width >> level),
-              std::max<std::int64_t>(1, fine.height >> level),
-              fine.repeats,
-              {},
-              false};
-    std::vector<std::int64_t> balance(static_cast<std::size_t>(mask.width * mask.height)); // opaque minus others
+    const std::int64_t width = std::max<std::int64_t>(1, fine.width >> level);
+    const std::int64_t height = std::max<std::int64_t>(1, fine.height >> level);
+    std::vector<std::int64_t> balance(static_cast<std::size_t>(width * height)); // opaque minus others
     for (std::int64_t y = 0; y < fine.height; ++y)
         for (std::int64_t x = 0; x < fine.width; ++x)
-            balance[static_cast<std::size_t>(y * mask.height / fine.height * mask.width +
-                                             x * mask.width / fine.width)] += fine.at(x, y) ? 1 : -1;
+            balance[static_cast<std::size_t>(y * height / fine.height * width + x * width / fine.width)] +=
+                fine.at(x, y) ? 1 : -1;
+    std::vector<char> opaque;
     for (const std::int64_t sum : balance)
-        mask.opaque.push_back(sum >= 0 ? 1 : 0);
-    note_uniformity(mask);
-    return mask;
+        opaque.push_back(sum >= 0 ? 1 : 0);
+    return {width, height, fine.repeats, std::move(opaque)};
 }
 
 /// The part of the polygon where sign * coordinate <= sign * border.
@@ -198,44 +198,33 @@ public:
         return replacements;
     }
 
-    /// Adds the parts of a piece to `pieces`, and their corners to the mesh.
-    void add(const Replacement& replacement, const Mask& mask, LargeVector<Piece>& pieces)
+    /// The pieces that take the place of a piece. Their corners are added to the mesh.
+    LargeVector<Piece> pieces_of(const Replacement& replacement, const Mask& mask)
     {
         const Piece& piece = pieces_[replacement.piece];
         const TexturePolygon whole = footprint(piece, mask);
+        LargeVector<Piece> result;
+        const auto add = [&](const std::array<ObjCorner, 4>& corners) {
+            Piece added = piece;
+            added.corners = corners;
+            const Vec3 origin = mesh_.at(corners[0]);
+            if (0.5 * length(cross(mesh_.at(corners[1]) - origin, mesh_.at(added.end_of_v()) - origin)) >
+                scale_.smallest_area())
+                result.push_back(added);
+        };
         for (TexturePolygon part : replacement.parts) {
             if (area_of(whole) < 0.0) // the texture is mirrored
                 std::reverse(part.begin(), part.end());
-            std::vector<std::uint32_t> vertices;
-            std::vector<std::uint32_t> points;
-            for (const TexturePoint corner : part) {
-                const auto [u, v] = place_of(corner, whole);
-                add_corner(piece, u, v);
-                vertices.push_back(static_cast<std::uint32_t>(mesh_.vertices.size() - 1));
-                points.push_back(static_cast<std::uint32_t>(mesh_.texture_points.size() - 1));
-            }
-            const auto is_large = [&](std::size_t a, std::size_t b, std::size_t c) {
-                const Vec3 corner = mesh_.vertices[vertices[a]];
-                return 0.5 * length(cross(mesh_.vertices[vertices[b]] - corner, mesh_.vertices[vertices[c]] - corner)) >
-                       scale_.smallest_area();
-            };
-            const auto add = [&](const std::array<std::uint32_t, 4>& corners, const std::array<std::uint32_t, 4>& at) {
-                Piece added = piece;
-                added.corners = corners;
-                added.points = at;
-                pieces.push_back(added);
-            };
-            if (is_parallelogram(part)) {
-                if (is_large(0, 1, 3))
-                    add({vertices[0], vertices[1], vertices[2], vertices[3]},
-                        {points[0], points[1], points[2], points[3]});
-                continue;
-            }
-            for (std::size_t i = 2; i < part.size(); ++i)
-                if (is_large(0, i - 1, i))
-                    add({vertices[0], vertices[i - 1], vertices[i], Piece::no_vertex},
-                        {points[0], points[i - 1], points[i], ObjMesh::no_point});
+            std::vector<ObjCorner> corners;
+            for (const TexturePoint corner : part)
+                corners.push_back(new_corner(piece, corner, whole));
+            if (is_parallelogram(part))
+                add({corners[0], corners[1], corners[2], corners[3]});
+            else
+                for (std::size_t i = 2; i < part.size(); ++i)
+                    add({corners[0], corners[i - 1], corners[i]});
         }
+        return result;
     }
 
 private:
@@ -243,8 +232,8 @@ private:
     TexturePolygon footprint(const Piece& piece, const Mask& mask) const
     {
         TexturePolygon polygon;
-        for (std::size_t k = 0; k < (piece.is_triangle() ? 3 : 4) && has_texture_points(piece, mesh_); ++k) {
-            const TexturePoint p = map_.at(mesh_.texture_points[piece.points[k]]);
+        for (std::size_t k = 0; k < piece.corner_count() && piece.has_texture_points(); ++k) {
+            const TexturePoint p = map_.at(mesh_.texture_points[piece.corners[k].point]);
             polygon.push_back({p.s * static_cast<double>(mask.width), p.t * static_cast<double>(mask.height)});
         }
         return polygon;
@@ -281,33 +270,30 @@ private:
                std::abs(p[1].t - p[0].t - (p[2].t - p[3].t)) <= tolerance;
     }
 
-    /// The coordinates (u, v) on a piece of a point of its footprint. Those of its own corners and edges are exact.
-    static std::pair<double, double> place_of(TexturePoint p, const TexturePolygon& whole)
+    /// Adds the vertex and the texture point of a piece at a point of its footprint.
+    ObjCorner new_corner(const Piece& piece, TexturePoint p, const TexturePolygon& footprint)
     {
-        const TexturePoint o = whole[0];
-        const TexturePoint a = {whole[1].s - o.s, whole[1].t - o.t};
-        const TexturePoint b = {whole.back().s - o.s, whole.back().t - o.t};
-        const double determinant = a.s * b.t - a.t * b.s;
-        const auto tidy = [](double x) {
+        const TexturePoint corner = footprint[0];
+        const TexturePoint along_u = {footprint[1].s - corner.s, footprint[1].t - corner.t};
+        const TexturePoint along_v = {footprint.back().s - corner.s, footprint.back().t - corner.t};
+        const double determinant = along_u.s * along_v.t - along_u.t * along_v.s;
+        const auto tidy = [](double x) { // exact at the corners and edges of the piece
             const double nearest = std::floor(x + 0.5);
             return std::abs(x - nearest) < 1e-12 ? nearest : x;
         };
-        return {tidy(((p.s - o.s) * b.t - (p.t - o.t) * b.s) / determinant),
-                tidy((a.s * (p.t - o.t) - a.t * (p.s - o.s)) / determinant)};
-    }
+        const double u = tidy(((p.s - corner.s) * along_v.t - (p.t - corner.t) * along_v.s) / determinant);
+        const double v = tidy((along_u.s * (p.t - corner.t) - along_u.t * (p.s - corner.s)) / determinant);
 
-    /// Adds the vertex and the texture point at (u, v) of a piece.
-    void add_corner(const Piece& piece, double u, double v)
-    {
-        const std::size_t last = piece.is_triangle() ? 2 : 3;
-        const Vec3 origin = mesh_.vertices[piece.corners[0]];
-        mesh_.vertices.push_back(origin + u * (mesh_.vertices[piece.corners[1]] - origin) +
-                                 v * (mesh_.vertices[piece.corners[last]] - origin));
-        const TexturePoint o = mesh_.texture_points[piece.points[0]];
-        const TexturePoint a = mesh_.texture_points[piece.points[1]];
-        const TexturePoint b = mesh_.texture_points[piece.points[last]];
+        const Vec3 origin = mesh_.at(piece.corners[0]);
+        mesh_.vertices.push_back(origin + u * (mesh_.at(piece.corners[1]) - origin) +
+                                 v * (mesh_.at(piece.end_of_v()) - origin));
+        const TexturePoint o = mesh_.texture_points[piece.corners[0].point];
+        const TexturePoint a = mesh_.texture_points[piece.corners[1].point];
+        const TexturePoint b = mesh_.texture_points[piece.end_of_v().point];
         mesh_.texture_points.push_back(
             {o.s + u * (a.s - o.s) + v * (b.s - o.s), o.t + u * (a.t - o.t) + v * (b.t - o.t)});
+        return {static_cast<std::uint32_t>(mesh_.vertices.size() - 1),
+                static_cast<std::uint32_t>(mesh_.texture_points.size() - 1)};
     }
 
     const TextureMap& map_;
@@ -326,7 +312,7 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
     for (std::uint32_t k = 0; k < pieces.size(); ++k)
         of_material[mesh.faces[pieces[k].face].material].push_back(k);
 
-    std::vector<std::pair<std::uint32_t, LargeVector<Piece>>> replaced;
+    std::map<std::uint32_t, LargeVector<Piece>> replaced;
     for (std::size_t m = 0; m < definitions.size(); ++m) {
         const bool of_opacity = textures.load(definitions[m].opacity_map).texture != nullptr;
         const TextureMap& map = of_opacity ? definitions[m].opacity_map : definitions[m].reflectance_map;
@@ -343,47 +329,36 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
             mask = coarser(fine, level);
             replacements = cutter.cut(of_material[m], mask);
         }
-        std::size_t left_out = 0;
         std::size_t parts = 0;
         for (const MaterialCutter::Replacement& replacement : *replacements) {
-            LargeVector<Piece> added;
-            cutter.add(replacement, mask, added);
-            left_out += added.empty() ? 1 : 0;
+            LargeVector<Piece>& added = replaced[replacement.piece];
+            added = cutter.pieces_of(replacement, mask);
             parts += added.size();
-            replaced.emplace_back(replacement.piece, std::move(added));
         }
+        const std::string subject =
+            mesh.path + ": transparent parts of `" + definitions[m].material.name + "` (" + texture->name() + ") ";
         const auto whole = std::count_if(of_material[m].begin(), of_material[m].end(),
-                                         [&](std::uint32_t k) { return !has_texture_points(pieces[k], mesh); });
+                                         [&](std::uint32_t k) { return !pieces[k].has_texture_points(); });
         if (whole > 0)
-            messages.push_back(mesh.path + ": `" + definitions[m].material.name + "` has transparent parts (" +
-                               texture->name() + "), but for lack of texture coordinates these stay opaque: " +
+            messages.push_back(subject + "stay opaque for lack of texture coordinates: " +
                                counted(static_cast<std::size_t>(whole), "surface"));
-        if (replacements->empty())
-            continue;
-        std::string message = mesh.path + ": transparent parts of `" + definitions[m].material.name + "` (" +
-                              texture->name() + ") are cut out: " + counted(parts, "surface") + " instead of " +
-                              std::to_string(replacements->size());
-        if (left_out > 0)
-            message += ", " + std::to_string(left_out) + " entirely transparent";
-        if (mask.width < fine.width || mask.height < fine.height)
-            message += ", by a mask of " + std::to_string(mask.width) + " x " + std::to_string(mask.height) +
-                       " instead of " + std::to_string(fine.width) + " x " + std::to_string(fine.height) + " pixels";
-        messages.push_back(message);
+        if (!replacements->empty())
+            messages.push_back(subject + "are cut out: " + counted(parts, "surface") + " instead of " +
+                               std::to_string(replacements->size()) +
+                               (mask.width < fine.width || mask.height < fine.height
+                                    ? ", by a coarser mask of " + std::to_string(mask.width) + " x " +
+                                          std::to_string(mask.height) + " pixels"
+                                    : ""));
     }
+
     if (replaced.empty())
         return messages;
-
-    std::sort(replaced.begin(), replaced.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     LargeVector<Piece> result;
-    auto next = replaced.begin();
-    for (std::uint32_t k = 0; k < pieces.size(); ++k) {
-        if (next == replaced.end() || next->first != k) {
+    for (std::uint32_t k = 0; k < pieces.size(); ++k)
+        if (const auto found = replaced.find(k); found != replaced.end())
+            result.insert(result.end(), found->second.begin(), found->second.end());
+        else
             result.push_back(pieces[k]);
-            continue;
-        }
-        result.insert(result.end(), next->second.begin(), next->second.end());
-        ++next;
-    }
     pieces = std::move(result);
     return messages;
 }

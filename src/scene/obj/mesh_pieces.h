@@ -49,31 +49,28 @@ struct SceneScale
 
 SceneScale scale_of(const ObjMesh& mesh);
 
-/// A triangle or parallelogram of the mesh. Its corners are vertex indices, counter-clockwise seen from the front.
+/// A triangle or parallelogram of the mesh. Its corners run counter-clockwise seen from the front.
 struct Piece
 {
-    static constexpr std::uint32_t no_vertex = 0xffffffffu;
-
-    std::array<std::uint32_t, 4> corners; ///< the fourth is no_vertex in a triangle
-    std::uint32_t face = 0;               ///< index of the face that the piece is part of
-    /// Indices of the texture points of the corners (see ObjMesh::corner_points), or ObjMesh::no_point.
-    std::array<std::uint32_t, 4> points = {};
     static constexpr std::uint32_t no_colour = 0xffffffffu;
+
+    std::array<ObjCorner, 4> corners; ///< the fourth is unused in a triangle
+    std::uint32_t face = 0;           ///< index of the face that the piece is part of
     std::uint32_t colour = no_colour; ///< index into MeshPieces::colours
 
-    bool is_triangle() const { return corners[3] == no_vertex; }
+    bool is_triangle() const { return corners[3].vertex == ObjCorner::none; }
+    std::size_t corner_count() const { return is_triangle() ? 3 : 4; }
+    ObjCorner end_of_v() const { return corners[corner_count() - 1]; } ///< corners[0] and [1] are the ends of edge_u
+    bool has_texture_points() const;                                   ///< of all corners
 };
-
-/// True if all corners of the piece have a texture point.
-bool has_texture_points(const Piece& piece, const ObjMesh& mesh);
 
 /// True if the parallelogram v0 + u (v1 - v0) + v (v3 - v0) may replace the quad v0, v1, v2, v3: the distance of its
 /// corner v1 + v3 - v0 from v2 is at most widest_crack() and at most 1/1000 of the shorter side at v0.
 bool is_parallelogram(Vec3 v0, Vec3 v1, Vec3 v2, Vec3 v3, const SceneScale& scale);
 
-/// True if four texture points form a parallelogram, up to an error of 1/1000 of its shorter side, so that one
-/// TextureFrame fits them, or if none of the four corners has a texture point.
-bool is_parallelogram(const std::array<std::uint32_t, 4>& points, const ObjMesh& mesh);
+/// True if the texture points of four corners form a parallelogram, up to an error of 1/1000 of its shorter side, so
+/// that one TextureFrame fits them, or if none of the corners has a texture point.
+bool is_texture_parallelogram(const std::array<ObjCorner, 4>& corners, const ObjMesh& mesh);
 
 /// The faces of a mesh, cut into triangles and parallelograms.
 struct MeshPieces

@@ -42,6 +42,7 @@ struct MtlMaterial
     TextureMap emission_map;         ///< `map_Ke`
     TextureMap opacity_map;          ///< `map_d`
     bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
+    bool is_used = false;            ///< by a face that was not dropped; known only after the whole scene is read
 };
 
 /// The materials of all MTL files of a scene.

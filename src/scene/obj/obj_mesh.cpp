@@ -14,11 +14,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <system_error>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -45,35 +43,28 @@ bool contains(const std::array<std::string_view, size>& words, std::string_view 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Reference to a texture point that is no number, 0 or counts back too far.
-constexpr std::uint32_t no_such_point = ObjMesh::no_point - 1;
-
 /// [1] Colour of a vertex without one.
 constexpr Rgb no_colour = {-1.0, -1.0, -1.0};
 
-/// Numbers names in order of appearance.
-class NameNumbers
+/// The number in a reference such as "12" or "-3", clamped to 2^32 - 1 in magnitude; nothing for other texts.
+std::optional<std::int64_t> reference(std::string_view text)
 {
-public:
-    /// The index of a name, and true if the name is new.
-    std::pair<std::uint32_t, bool> number_of(const std::string& name)
-    {
-        const auto [entry, is_new] = numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size()));
-        return {entry->second, is_new};
+    constexpr std::int64_t largest = std::numeric_limits<std::uint32_t>::max();
+    const bool is_negative = !text.empty() && text[0] == '-';
+    text.remove_prefix(is_negative || (!text.empty() && text[0] == '+') ? 1 : 0);
+    std::int64_t number = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9')
+            return std::nullopt;
+        number = std::min(10 * number + (c - '0'), largest);
     }
-
-private:
-    std::unordered_map<std::string, std::uint32_t> numbers_;
-};
+    return text.empty() ? std::nullopt : std::optional(is_negative ? -number : number);
+}
 
 class ObjParser
 {
 public:
-    explicit ObjParser(const std::string& path) : lines_(path)
-    {
-        mesh_.path = path;
-        other_numbers_.number_of("");
-    }
+    explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
     ObjMesh parse();
 
 private:
@@ -81,15 +72,13 @@ private:
     void named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place);
     void vertex(std::string_view rest, const TextLocation& place);
     void face(std::string_view rest, const TextLine& line);
-    std::uint32_t corner(std::string_view word, const TextLocation& place) const;
+    ObjCorner corner(std::string_view word, const TextLocation& place) const;
     void colour(double red, double green, double blue, std::uint32_t line);
     void texture_point(std::string_view rest, std::uint32_t line);
-    void note_texture_point(std::string_view corner);
-    void number_names(TextLocation place);
+    void number_names(std::uint32_t line);
     void library(std::string_view names, const TextLocation& place);
     void reserve_vertices();
-    void check_corners() const;
-    void check_texture_points();
+    void check_references();
     void complete_colours();
     void drop_comments();
     void summarise_warnings();
@@ -103,12 +92,10 @@ private:
     bool object_is_last_ = true; ///< of the last `o` and `g`
     bool group_is_used_ = false; ///< a face followed the last `g`
     bool names_changed_ = true;
-    std::uint32_t material_number_ = 0;
-    std::uint32_t group_number_ = 0;
-    std::uint32_t other_number_ = 0;
-    NameNumbers material_numbers_;
-    NameNumbers group_numbers_;
-    NameNumbers other_numbers_;
+    ObjFace next_face_; ///< with the numbers of the current names
+    std::unordered_map<std::string, std::uint32_t> material_numbers_;
+    std::unordered_map<std::string, std::uint32_t> group_numbers_;
+    std::unordered_map<std::string, std::uint32_t> other_numbers_ = {{"", 0}};
     FlawCount weights_, numbers_after_vertices_, texture_coordinates_, missing_points_;
     IgnoredKeywords unknown_{8};
 };
@@ -127,8 +114,7 @@ ObjMesh ObjParser::parse()
         refuse(at_line(0), mesh_.faces_without_corners == 0
                                ? "no faces found, expected a Wavefront OBJ file with `f` statements"
                                : "every face has fewer than three vertices");
-    check_corners();
-    check_texture_points();
+    check_references();
     complete_colours();
     drop_comments();
     summarise_warnings();
@@ -227,12 +213,11 @@ void ObjParser::colour(double red, double green, double blue, std::uint32_t line
 void ObjParser::face(std::string_view rest, const TextLine& line)
 {
     if (names_changed_)
-        number_names(line.place);
+        number_names(line.place.line);
     const std::size_t first = mesh_.corners.size();
     std::string_view last_word;
     for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
         mesh_.corners.push_back(corner(word, line.place));
-        note_texture_point(word);
         last_word = word;
     }
     const std::size_t count = mesh_.corners.size() - first;
@@ -242,38 +227,43 @@ void ObjParser::face(std::string_view rest, const TextLine& line)
         refuse(line.place, "more than 2^31 corners of faces, expected fewer");
     if (count < 3) {
         mesh_.corners.resize(first);
-        if (!mesh_.corner_points.empty())
-            mesh_.corner_points.resize(first);
         ++mesh_.faces_without_corners;
         return;
     }
-    mesh_.faces.push_back(
-        {static_cast<std::uint32_t>(count), line.place.line, material_number_, group_number_, other_number_});
+    next_face_.first_corner = static_cast<std::uint32_t>(first);
+    next_face_.corner_count = static_cast<std::uint32_t>(count);
+    next_face_.line = line.place.line;
+    mesh_.faces.push_back(next_face_);
 }
 
-/// The vertex index of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. A reference to a later vertex is returned unchecked.
-std::uint32_t ObjParser::corner(std::string_view word, const TextLocation& place) const
+/// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. References to later vertices and points are returned unchecked, and a
+/// malformed reference to a point as one that does not exist.
+ObjCorner ObjParser::corner(std::string_view word, const TextLocation& place) const
 {
-    constexpr std::int64_t too_large = std::numeric_limits<std::uint32_t>::max();
-    const bool negative = word[0] == '-';
-    std::size_t i = negative || word[0] == '+' ? 1 : 0;
-    const std::size_t first_digit = i;
-    std::int64_t number = 0;
-    for (; i < word.size() && word[i] >= '0' && word[i] <= '9'; ++i)
-        number = number < too_large ? 10 * number + (word[i] - '0') : number;
-    if (i == first_digit || word.find_first_not_of("0123456789/+-", i) != std::string_view::npos ||
-        (i < word.size() && word[i] != '/'))
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    const std::optional<std::int64_t> number = reference(word.substr(0, slash));
+    if (!number || word.find_first_not_of("0123456789/+-", slash) != std::string_view::npos)
         refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
-    if (number == 0)
+    if (*number == 0)
         refuse(place, "vertex number 0, expected a number from 1, or a negative one that counts back");
-
-    const std::int64_t vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
-    if (negative && number > vertex_count)
+    const auto vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
+    if (-*number > vertex_count)
         refuse(place, "vertex " + in_quotes(word) + " counts back past the first vertex, " +
                           std::to_string(vertex_count) + " are defined before this line");
-    if (number >= too_large)
+    if (*number >= std::int64_t{ObjCorner::none})
         refuse(place, "vertex number " + in_quotes(word) + " is too large");
-    return static_cast<std::uint32_t>(negative ? vertex_count - number : number - 1);
+    ObjCorner result;
+    result.vertex = static_cast<std::uint32_t>(*number < 0 ? vertex_count + *number : *number - 1);
+
+    const std::string_view rest = word.substr(std::min(slash + 1, word.size()));
+    if (const std::string_view point = rest.substr(0, rest.find('/')); !point.empty()) {
+        constexpr std::int64_t missing = ObjCorner::none - 1;
+        const std::int64_t given = reference(point).value_or(0);
+        const auto point_count = static_cast<std::int64_t>(mesh_.texture_points.size());
+        const std::int64_t index = given < 0 ? point_count + given : given - 1;
+        result.point = static_cast<std::uint32_t>(index < 0 ? missing : std::min(index, missing));
+    }
+    return result;
 }
 
 /// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e9, counts as 0: it
@@ -293,41 +283,21 @@ void ObjParser::texture_point(std::string_view rest, std::uint32_t line)
     mesh_.texture_points.push_back({st[0], st[1]});
 }
 
-/// Records the texture point of the corner added last: the middle number of `v/vt/vn`.
-void ObjParser::note_texture_point(std::string_view corner)
+/// Looks up the numbers of the current material, group and object, which a face is about to use.
+void ObjParser::number_names(std::uint32_t line)
 {
-    const std::size_t slash = corner.find('/');
-    const std::string_view text =
-        slash == std::string_view::npos ? "" : corner.substr(slash + 1, corner.find('/', slash + 1) - slash - 1);
-    std::int64_t number = 0;
-    const bool is_number = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
-    const auto count = static_cast<std::int64_t>(mesh_.texture_points.size());
-    if (text.empty() && mesh_.corner_points.empty())
-        return;
-    number = number < 0 ? count + number : number - 1;
-    const bool may_exist = is_number && number >= 0 && number < no_such_point;
-    mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
-    if (!text.empty())
-        mesh_.corner_points.back() = may_exist ? static_cast<std::uint32_t>(number) : no_such_point;
-}
-
-/// Looks up the indices of the current material, group and object, which a face is about to use.
-void ObjParser::number_names(TextLocation place)
-{
-    names_changed_ = false;
-    const auto [material, material_is_new] = material_numbers_.number_of(material_);
-    if (material_is_new)
-        mesh_.materials.push_back({material_, place.line});
+    const auto number = [](auto& numbers, const std::string& name, auto& list, const auto& entry) {
+        const auto [known, is_new] = numbers.emplace(name, static_cast<std::uint32_t>(list.size()));
+        if (is_new)
+            list.push_back(entry);
+        return known->second;
+    };
     const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
-    const auto [group, group_is_new] = group_numbers_.number_of(last);
-    if (group_is_new)
-        mesh_.groups.push_back(last);
-    const auto [other_number, other_is_new] = other_numbers_.number_of(other == last ? "" : other);
-    if (other_is_new)
-        mesh_.other_names.push_back(other);
-    material_number_ = material;
-    group_number_ = group;
-    other_number_ = other_number;
+    const std::string other_name = other == last ? "" : other;
+    next_face_.material = number(material_numbers_, material_, mesh_.materials, ObjName{material_, line});
+    next_face_.group = number(group_numbers_, last, mesh_.groups, last);
+    next_face_.other_name = number(other_numbers_, other_name, mesh_.other_names, other_name);
+    names_changed_ = false;
     group_is_used_ = true;
 }
 
@@ -342,31 +312,22 @@ void ObjParser::reserve_vertices()
         mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
 }
 
-void ObjParser::check_corners() const
+void ObjParser::check_references()
 {
-    std::size_t next = 0;
-    for (const ObjFace& face : mesh_.faces)
-        for (const std::size_t end = next + face.corner_count; next < end; ++next)
-            if (mesh_.corners[next] >= mesh_.vertices.size())
-                refuse(at_line(face.line), "vertex " + std::to_string(mesh_.corners[next] + std::uint64_t{1}) +
+    for (const ObjFace& face : mesh_.faces) {
+        bool has_missing_point = false;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            ObjCorner& corner = mesh_.corners[face.first_corner + k];
+            if (corner.vertex >= mesh_.vertices.size())
+                refuse(at_line(face.line), "vertex " + std::to_string(corner.vertex + std::uint64_t{1}) +
                                                " does not exist, the file has " +
                                                std::to_string(mesh_.vertices.size()));
-}
-
-void ObjParser::check_texture_points()
-{
-    if (mesh_.corner_points.empty())
-        return;
-    mesh_.corner_points.resize(mesh_.corners.size(), ObjMesh::no_point);
-    auto point = mesh_.corner_points.begin();
-    for (const ObjFace& face : mesh_.faces) {
-        bool sound = true;
-        for (const auto end = point + face.corner_count; point != end; ++point)
-            if (*point >= mesh_.texture_points.size()) {
-                sound = sound && *point == ObjMesh::no_point;
-                *point = ObjMesh::no_point;
+            if (corner.point != ObjCorner::none && corner.point >= mesh_.texture_points.size()) {
+                has_missing_point = true;
+                corner.point = ObjCorner::none;
             }
-        if (!sound)
+        }
+        if (has_missing_point)
             missing_points_.add(face.line);
     }
 }
@@ -395,9 +356,7 @@ void ObjParser::drop_comments()
 void ObjParser::summarise_warnings()
 {
     const auto warn = [&](const FlawCount& lines, const std::string& flaw) {
-        if (lines.count != 0)
-            mesh_.warnings.push_back(name_of(at_line(lines.first_line)) + ": " + flaw + " (" +
-                                     std::to_string(lines.count) + " in the file)");
+        lines.warn(mesh_.path, flaw, mesh_.warnings);
     };
     warn(weights_, "the weight of a vertex (fourth number) is ignored, polygons have none");
     warn(numbers_after_vertices_,
@@ -412,6 +371,21 @@ void ObjParser::summarise_warnings()
 }
 
 } // namespace
+
+std::vector<std::string> ObjMesh::material_names() const
+{
+    std::vector<std::string> names;
+    for (const ObjName& material : materials)
+        names.push_back(material.name.empty() ? "default" : material.name);
+    return names;
+}
+
+void FlawCount::warn(const std::string& path, const std::string& flaw, std::vector<std::string>& warnings) const
+{
+    if (count_ != 0)
+        warnings.push_back(name_of({path, first_line_}) + ": " + flaw + " (" + std::to_string(count_) +
+                           " in the file)");
+}
 
 ObjMesh parse_obj(const std::string& path)
 {

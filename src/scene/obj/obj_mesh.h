@@ -12,10 +12,20 @@
 
 namespace multipath {
 
-/// A polygon of an OBJ file. The corners of all faces are stored in ObjMesh::corners, face after face.
+/// A corner of a face: `v`, or `v/vt`.
+struct ObjCorner
+{
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    std::uint32_t vertex = none; ///< index into ObjMesh::vertices
+    std::uint32_t point = none;  ///< index into ObjMesh::texture_points; none if the corner has no texture point
+};
+
+/// A polygon of an OBJ file.
 struct ObjFace
 {
-    std::uint32_t corner_count = 0; ///< number of corners of this face, at least 3
+    std::uint32_t first_corner = 0; ///< index into ObjMesh::corners; the other corners follow
+    std::uint32_t corner_count = 0; ///< at least 3
     std::uint32_t line = 0;         ///< line of the face in the file
     std::uint32_t material = 0;     ///< index into ObjMesh::materials
     std::uint32_t group = 0;        ///< index into ObjMesh::groups
@@ -23,16 +33,21 @@ struct ObjFace
 };
 
 /// Counts the lines with the same flaw, for a single warning.
-struct FlawCount
+class FlawCount
 {
-    std::uint32_t first_line = 0;
-    std::size_t count = 0;
-
+public:
     void add(std::uint32_t line)
     {
-        first_line = count == 0 ? line : first_line;
-        ++count;
+        first_line_ = count_ == 0 ? line : first_line_;
+        ++count_;
     }
+
+    /// Adds the warning "room.obj:12: flaw (3 in the file)" if there is any such line.
+    void warn(const std::string& path, const std::string& flaw, std::vector<std::string>& warnings) const;
+
+private:
+    std::uint32_t first_line_ = 0;
+    std::size_t count_ = 0;
 };
 
 /// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
@@ -43,25 +58,15 @@ struct ObjName
     std::uint32_t line = 0;
 };
 
-/// The name of a material in options and results.
-inline std::string name_of_material(const ObjName& material)
-{
-    return material.name.empty() ? "default" : material.name;
-}
-
 /// The contents of an OBJ file, before its polygons are cut and its materials are looked up.
 struct ObjMesh
 {
-    static constexpr std::uint32_t no_point = 0xffffffffu;
-
     std::string path;
     LargeVector<Vec3> vertices;
     /// [1] Linear light of the colour of each vertex; negative if it has none. Empty if no vertex has another than
     /// white.
     LargeVector<Rgb> colours;
-    LargeVector<std::uint32_t> corners; ///< vertex indices, all valid, face after face
-    /// The index of the texture point of each corner, or no_point. Empty if no corner refers to one.
-    LargeVector<std::uint32_t> corner_points;
+    LargeVector<ObjCorner> corners; ///< of all faces; all indices are valid
     LargeVector<TexturePoint> texture_points;
     LargeVector<ObjFace> faces;
     /// Arguments of `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first. A
@@ -78,6 +83,9 @@ struct ObjMesh
     /// Per material: true if the file of its `map_Kd` was found; empty before MTL files are read.
     std::vector<bool> textured = {};
 
+    /// The names of the materials in options and results: "default" for "".
+    std::vector<std::string> material_names() const;
+    Vec3 at(ObjCorner corner) const { return vertices[corner.vertex]; }
     bool is_textured(const ObjFace& face) const { return !textured.empty() && textured[face.material]; }
 };
 

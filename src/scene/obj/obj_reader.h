@@ -17,8 +17,8 @@ namespace multipath {
 /// faces of the file use.
 ///
 /// Throws SettingsError if a name in `changes` is not in the file or no face is left (see apply()), InputError for
-/// errors in the files and for scenes without a finite solution, and DarkScene (light_advice.h) if nothing emits,
-/// unless changes.lit_from_outside is set.
+/// errors in the files and for scenes without a finite solution, or in which nothing emits unless
+/// changes.lit_from_outside is set.
 SceneFile read_obj(const std::string& path, EmissionFrom emission_from = EmissionFrom::ke,
                    const ObjChanges& changes = {});
 

@@ -7,12 +7,15 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/text_format.h"
+#include "scene/text/text_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -99,34 +102,31 @@ private:
         return loaded.texture;
     }
 
-    static std::string in_quotes(const std::string& name) { return "`" + name + "`"; }
-
     /// The frame of a surface; unknown if a corner has no texture point.
     TextureFrame frame(std::size_t surface, const TextureMap& map) const
     {
         const Piece& piece = cut_.pieces[surface];
-        if (!has_texture_points(piece, mesh_))
+        if (!piece.has_texture_points())
             return {};
-        const TexturePoint origin = map.at(mesh_.texture_points[piece.points[0]]);
-        const TexturePoint u = map.at(mesh_.texture_points[piece.points[1]]);
-        const TexturePoint v = map.at(mesh_.texture_points[piece.points[piece.is_triangle() ? 2 : 3]]);
+        const auto at = [&](ObjCorner corner) { return map.at(mesh_.texture_points[corner.point]); };
+        const TexturePoint origin = at(piece.corners[0]);
+        const TexturePoint u = at(piece.corners[1]);
+        const TexturePoint v = at(piece.end_of_v());
         return {origin, {u.s - origin.s, u.t - origin.t}, {v.s - origin.s, v.t - origin.t}, true};
-    }
-
-    Rgb texture_mean_of_surface(std::size_t s, const TextureMap& map, const Texture& texture) const
-    {
-        if (scene_.surfaces[s].shape == Shape::triangle)
-            return texture_mean(texture, frame(s, map), {{0, 0}, {1, 0}, {0, 1}});
-        return texture_mean(texture, frame(s, map), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     }
 
     /// The area-weighted mean of a texture over all surfaces of a material.
     Rgb mean_of(std::uint32_t material, const TextureMap& map, const Texture& texture) const
     {
         Rgb sum;
-        for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
-            if (scene_.material[s] == material)
-                sum += scene_.surfaces[s].area() * texture_mean_of_surface(s, map, texture);
+        for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
+            if (scene_.material[s] != material)
+                continue;
+            std::vector<std::array<double, 2>> corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+            if (scene_.surfaces[s].shape == Shape::triangle)
+                corners.erase(corners.begin() + 2);
+            sum += scene_.surfaces[s].area() * texture_mean(texture, frame(s, map), corners);
+        }
         return 1.0 / areas_[material] * sum;
     }
 
@@ -188,22 +188,21 @@ private:
         palette_ = palette();
         const std::size_t count = definitions_.size();
         std::vector<Rgb> sums(count); // of area times colour
-        std::vector<std::uint32_t> first(count, Piece::no_colour);
-        std::vector<bool> has_several(count), is_coloured(count);
-        std::vector<std::size_t> number(count);
-        std::size_t pieces = 0;
+        std::vector<std::optional<std::uint32_t>> last(count);
+        std::vector<bool> has_several(count);
+        std::size_t coloured = 0;
         for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
             const std::uint32_t m = scene_.material[s];
             const std::uint32_t colour = cut_.pieces[s].colour;
             sums[m] += scene_.surfaces[s].area() * palette_->mean(TexturePolygon{frame_of_colour(s).origin});
-            has_several[m] = has_several[m] || (number[m]++ > 0 && colour != first[m]);
-            first[m] = colour;
-            is_coloured[m] = is_coloured[m] || colour != Piece::no_colour;
-            pieces += colour != Piece::no_colour ? 1 : 0;
+            has_several[m] = has_several[m] || last[m].value_or(colour) != colour;
+            last[m] = colour;
+            coloured += colour != Piece::no_colour ? 1 : 0;
         }
         for (std::size_t m = 0; m < count; ++m) {
             Material& material = scene_.materials[m];
-            if (!is_coloured[m] || material.texture != Material::no_texture)
+            const bool is_coloured = has_several[m] || last[m].value_or(Piece::no_colour) != Piece::no_colour;
+            if (!is_coloured || material.texture != Material::no_texture)
                 continue;
             const Rgb kd = definitions_[m].kd_line == 0 ? Rgb{limit, limit, limit} : material.reflectance;
             material.reflectance = kd * (1.0 / areas_[m] * sums[m]);
@@ -213,7 +212,7 @@ private:
             }
         }
         scene_.warnings.push_back(scene_.path + ": the colours of vertices, decoded from sRGB, multiply Kd; " +
-                                  counted(pieces, "surface") + " with the mean of the corners");
+                                  counted(coloured, "surface") + " with the mean of the corners");
     }
 
     void apply_emission_map(std::uint32_t m, const Texture& texture)
@@ -246,22 +245,17 @@ private:
             scene_.warnings.push_back(scene_.path + ": Ke = 0 beside a texture, which counts alone: " + join(dark_));
         if (failures_.empty())
             return {};
-        double all = 0.0;
-        for (const double area : areas_)
-            all += area;
         std::vector<std::string> texts;
-        std::vector<bool> failed(areas_.size());
+        std::vector<double> failed(areas_.size()); // [m^2] per material
         for (const auto& [material, text] : failures_) {
-            failed[material] = true;
+            failed[material] = areas_[material];
             texts.push_back(text);
         }
-        double part = 0.0;
-        for (std::size_t m = 0; m < areas_.size(); ++m)
-            part += failed[m] ? areas_[m] : 0.0;
+        const double share =
+            std::accumulate(failed.begin(), failed.end(), 0.0) / std::accumulate(areas_.begin(), areas_.end(), 0.0);
         scene_.warnings.push_back(scene_.path + ": " + std::to_string(failures_.size()) + " of " +
                                   std::to_string(maps_) + " textures are not read, the colours of their materials (" +
-                                  format("%.3g", 100.0 * part / all) +
-                                  " % of the area) stand alone: " + first_of(texts, 5));
+                                  format("%.3g", 100.0 * share) + " % of the area) stand alone: " + first_of(texts, 5));
         return texts;
     }
 

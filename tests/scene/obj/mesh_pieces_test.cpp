@@ -22,8 +22,8 @@ ObjMesh polygon(const LargeVector<Vec3>& corners)
     mesh.path = "a.obj";
     mesh.vertices = corners;
     for (std::uint32_t i = 0; i < corners.size(); ++i)
-        mesh.corners.push_back(i);
-    mesh.faces.push_back({static_cast<std::uint32_t>(corners.size()), 9, 0, 0});
+        mesh.corners.push_back({i});
+    mesh.faces.push_back({0, static_cast<std::uint32_t>(corners.size()), 9});
     return mesh;
 }
 
@@ -32,8 +32,14 @@ MeshPieces cut(const ObjMesh& mesh)
     return cut_into_pieces(mesh, scale_of(mesh));
 }
 
-using Corners = std::array<std::uint32_t, 4>;
-constexpr std::uint32_t none = Piece::no_vertex;
+using Vertices = std::array<std::uint32_t, 4>;
+constexpr std::uint32_t none = ObjCorner::none;
+
+Vertices vertices_of(const Piece& piece)
+{
+    const std::array<ObjCorner, 4>& c = piece.corners;
+    return {c[0].vertex, c[1].vertex, c[2].vertex, c[3].vertex};
+}
 
 } // namespace
 
@@ -42,7 +48,7 @@ TEST_CASE("a parallelogram stays whole, whatever the unit of the scene")
     for (const double unit : {1e-6, 1.0, 1e6}) {
         const MeshPieces pieces = cut(polygon({{0, 0, 0}, {3 * unit, 0, 0}, {4 * unit, unit, 0}, {unit, unit, 0}}));
         REQUIRE(pieces.pieces.size() == 1);
-        CHECK(pieces.pieces[0].corners == Corners{0, 1, 2, 3});
+        CHECK(vertices_of(pieces.pieces[0]) == Vertices{0, 1, 2, 3});
     }
 }
 
@@ -64,7 +70,8 @@ TEST_CASE("a textured quad stays whole where its texture is a parallelogram, in 
 {
     ObjMesh mesh = polygon({{0, 0, 0}, {3, 0, 0}, {4, 1, 0}, {1, 1, 0}});
     mesh.textured = {true};
-    mesh.corner_points = {0, 1, 2, 3};
+    for (ObjCorner& corner : mesh.corners)
+        corner.point = corner.vertex;
     const LargeVector<TexturePoint> points = {{0.3, 0.1}, {0.9, 0.9}, {-0.3, 1.8}, {-0.9, 1.0}};
     for (const bool is_moved_far : {false, true})
         for (std::size_t corner = 0; corner < 4; ++corner)
@@ -80,14 +87,16 @@ TEST_CASE("other quads are cut along the diagonal from the first corner, concave
 {
     const MeshPieces trapezium = cut(polygon({{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {1, 1, 0}}));
     REQUIRE(trapezium.pieces.size() == 2);
-    CHECK(trapezium.pieces[0].corners == Corners{0, 1, 2, none});
-    CHECK(trapezium.pieces[1].corners == Corners{0, 2, 3, none});
+    CHECK(vertices_of(trapezium.pieces[0]) == Vertices{0, 1, 2, none});
+    CHECK(vertices_of(trapezium.pieces[1]) == Vertices{0, 2, 3, none});
 
     const MeshPieces arrow = cut(polygon({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {1, 4, 0}}));
     REQUIRE(arrow.pieces.size() == 2);
     for (const Piece& piece : arrow.pieces)
-        for (const std::uint32_t corner : {1u, 3u})
-            CHECK(std::count(piece.corners.begin(), piece.corners.end(), corner) == 1);
+        for (const std::uint32_t vertex : {1u, 3u}) {
+            const Vertices vertices = vertices_of(piece);
+            CHECK(std::count(vertices.begin(), vertices.end(), vertex) == 1);
+        }
 }
 
 TEST_CASE("corners on straight sides, repeated corners and spikes do not count")
@@ -113,13 +122,10 @@ TEST_CASE("bent quads and polygons that cross themselves make one warning for al
 {
     ObjMesh mesh = polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}});
     mesh.faces.resize(3, mesh.faces[0]);
-    const LargeVector<std::uint32_t> corners = mesh.corners;
-    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
-    mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
     const MeshPieces pieces = cut(mesh);
     CHECK(pieces.pieces.size() == 6);
     CHECK(pieces.warnings ==
-          std::vector<std::string>{"a.obj:9: polygon is not planar and was cut into triangles (and 2 more)"});
+          std::vector<std::string>{"a.obj:9: polygon is not planar and was cut into triangles (3 in the file)"});
 
     // One corner h above a unit square lies h / 4 off the mean plane, h / 4 / sqrt(2) of the size.
     CHECK(cut(polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 7e-4}, {0, 1, 0}})).warnings.size() == 1);
@@ -146,8 +152,8 @@ TEST_CASE("a convex polygon may have any number of corners, a concave one not so
     double area = 0.0;
     const MeshPieces pieces = cut(polygon(round));
     for (const Piece& piece : pieces.pieces)
-        area += 0.5 * length(cross(round[piece.corners[1]] - round[piece.corners[0]],
-                                   round[piece.corners[2]] - round[piece.corners[0]]));
+        area += 0.5 * length(cross(round[piece.corners[1].vertex] - round[piece.corners[0].vertex],
+                                   round[piece.corners[2].vertex] - round[piece.corners[0].vertex]));
     CHECK(area == doctest::Approx(count / 2.0 * std::sin(2 * pi / count)).epsilon(1e-9));
     CHECK(contains(problem_of([&] { cut(polygon(gear)); }), "a.obj:9: concave polygon of 100000 corners"));
 }

@@ -47,9 +47,9 @@ double area_without_light(const ObjMesh& mesh)
     merge_triangles(pieces, mesh, scale);
     double area = 0.0;
     for (const Piece& piece : pieces) {
-        const Vec3 origin = mesh.vertices[piece.corners[0]];
-        const Vec3 u = mesh.vertices[piece.corners[1]] - origin;
-        const Vec3 v = mesh.vertices[piece.corners[piece.is_triangle() ? 2 : 3]] - origin;
+        const Vec3 origin = mesh.at(piece.corners[0]);
+        const Vec3 u = mesh.at(piece.corners[1]) - origin;
+        const Vec3 v = mesh.at(piece.end_of_v()) - origin;
         area += (piece.is_triangle() ? 0.5 : 1.0) * length(cross(u, v));
     }
     return area;

@@ -12,8 +12,6 @@ using namespace multipath;
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 4>;
-
 /// Triangles, each with vertices of its own as many exporters write them.
 struct Triangles
 {
@@ -21,11 +19,12 @@ struct Triangles
 
     Triangles& add(Vec3 a, Vec3 b, Vec3 c, std::uint32_t material = 0, std::uint32_t group = 0)
     {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const Vec3 p : {a, b, c}) {
-            mesh.corners.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+            mesh.corners.push_back({static_cast<std::uint32_t>(mesh.vertices.size())});
             mesh.vertices.push_back(p);
         }
-        mesh.faces.push_back({3, static_cast<std::uint32_t>(mesh.faces.size()), material, group});
+        mesh.faces.push_back({first, 3, static_cast<std::uint32_t>(mesh.faces.size()), material, group});
         return *this;
     }
     LargeVector<Piece> merged() const
@@ -37,7 +36,7 @@ struct Triangles
         CHECK(pair_count == before - pieces.size());
         return pieces;
     }
-    Vec3 at(const Piece& piece, std::size_t corner) const { return mesh.vertices[piece.corners[corner]]; }
+    Vec3 at(const Piece& piece, std::size_t corner) const { return mesh.at(piece.corners[corner]); }
 };
 
 const Vec3 p0 = {0, 0, 0};
