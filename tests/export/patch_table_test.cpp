@@ -200,7 +200,7 @@ TEST_CASE("what is no table of patches is refused with its line")
               ":2: surface is `" + std::string(surface) + "`, expected the number of a surface");
     CHECK(problem(header + "\n0,0,a,0,0,0,0,1,1,1\n") == ":1: all areas are 0, expected a patch with an area");
     CHECK(problem(header + "\n0,0,a,0,0,0,-1,1,1,1\n") == ":2: area is `-1`, expected 0 or more");
-    CHECK(problem(header + "\n0,0,a,0,?,0,1,1,1,1\n") == ":2: y: `?` is not a number");
+    CHECK(problem(header + "\n0,0,a,0,?,0,1,1,1,1\n") == ":2: y: `?` is not a finite number");
     CHECK(problem(header + "\n0,0,a,0,0,0,1,1,inf,1\n") == ":2: radiosity_g: `inf` is not a finite number");
     CHECK(problem(header + ",error_r,error_g,error_b\n0,0,a,0,0,0,1,1,1,1,0,-1e-9,0\n") ==
           ":2: error_g is `-1e-9`, expected 0 or more");

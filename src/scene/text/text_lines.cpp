@@ -1,6 +1,5 @@
-// The file is read into one buffer, and lines are returned as views into it. Before a refill the unfinished line moves
-// to the front of the buffer, which grows only if a line does not fit. While the end of a line is searched for, eight
-// bytes at a time are tested for control characters, which include line ends.
+// Lines are views into the bytes of the file. While the end of a line is searched for, eight bytes at a time are tested
+// for control characters, which include line ends.
 
 #include "scene/text/text_lines.h"
 
@@ -9,16 +8,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
+#include <stdexcept>
 
 namespace multipath {
 
 namespace {
-
-constexpr std::size_t first_buffer_size = std::size_t{1} << 18;
 
 bool is_line_end(char c)
 {
@@ -54,6 +49,15 @@ std::string_view without_backslash(std::string_view text)
     return text.substr(0, text.rfind('\\'));
 }
 
+FileBytes bytes_of_text(const std::string& path)
+{
+    try {
+        return FileBytes(path);
+    } catch (const std::runtime_error& error) {
+        refuse({path, 0}, std::string("cannot be read: ") + error.what());
+    }
+}
+
 bool looks_like_utf16(std::string_view start)
 {
     if (start.size() < 2)
@@ -87,22 +91,12 @@ std::string in_quotes(std::string_view word)
 }
 
 TextLines::TextLines(const std::string& path, bool joins_lines)
-    : path_(path), joins_lines_(joins_lines), buffer_(first_buffer_size)
+    : path_(path), joins_lines_(joins_lines), file_(bytes_of_text(path)), rest_(file_.view())
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        refuse(place(), "is a directory, expected a file");
-    file_.reset(std::fopen(path.c_str(), "rb"));
-    if (!file_)
-        refuse(place(), "cannot be opened: " + std::generic_category().message(errno));
-    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-    size_ = ignored ? 0.0 : static_cast<double>(size);
-    refill();
-    const std::string_view start(buffer_.data(), end_);
-    if (looks_like_utf16(start))
+    if (looks_like_utf16(rest_))
         refuse({path_, 1}, "is UTF-16 text, expected UTF-8: save the file as UTF-8");
-    if (start.substr(0, 3) == "\xef\xbb\xbf")
-        begin_ = 3;
+    if (rest_.substr(0, 3) == "\xef\xbb\xbf")
+        rest_.remove_prefix(3);
 }
 
 bool TextLines::next(TextLine& line)
@@ -121,7 +115,8 @@ bool TextLines::next(TextLine& line)
 
 double TextLines::share_read() const
 {
-    return size_ > 0.0 ? static_cast<double>(buffered_ - (end_ - begin_)) / size_ : 0.0;
+    const auto size = static_cast<double>(file_.size());
+    return size > 0.0 ? 1.0 - static_cast<double>(rest_.size()) / size : 0.0;
 }
 
 TextLine TextLines::join_continued(std::string_view first)
@@ -143,54 +138,30 @@ TextLine TextLines::join_continued(std::string_view first)
 
 bool TextLines::physical_line(std::string_view& text)
 {
-    if (after_carriage_return_ && (begin_ < end_ || refill()) && buffer_[begin_] == '\n')
-        ++begin_;
-    std::size_t length = scan_to_end_of_line(0);
-    while (length <= longest_line && begin_ + length == end_ && refill())
-        length = scan_to_end_of_line(length);
-    if (length > longest_line)
-        refuse({path_, number_ + 1}, "line is longer than 16 MB");
-
-    ended_ = begin_ + length < end_;
-    if (!ended_ && length == 0)
+    if (rest_.empty())
         return false;
-    text = {buffer_.data() + begin_, length};
-    after_carriage_return_ = ended_ && buffer_[begin_ + length] == '\r';
-    begin_ += length + (ended_ ? 1 : 0);
+    text = rest_.substr(0, length_of_line());
+    if (text.size() > longest_line)
+        refuse({path_, number_ + 1}, "line is longer than 16 MB");
+    rest_.remove_prefix(text.size());
+    ended_ = !rest_.empty();
+    if (ended_)
+        rest_.remove_prefix(rest_.substr(0, 2) == "\r\n" ? 2 : 1);
     ++number_;
     return true;
 }
 
-/// The length of the line that starts at begin_; up to end_ if it continues past the buffer. `length` was scanned
-/// before.
-std::size_t TextLines::scan_to_end_of_line(std::size_t length) const
+std::size_t TextLines::length_of_line() const
 {
-    const char* const begin = buffer_.data() + begin_;
-    const char* const end = buffer_.data() + end_;
-    const char* p = begin + length;
+    const char* const begin = rest_.data();
+    const char* const end = begin + rest_.size();
+    const char* p = begin;
     while (end - p >= 8 && has_no_controls(p))
         p += 8;
     for (; p != end && !is_line_end(*p); ++p)
         if (static_cast<unsigned char>(*p) < ' ' && !is_blank(*p))
             refuse({path_, number_ + 1}, "control character, expected a text file (is it binary or damaged?)");
     return static_cast<std::size_t>(p - begin);
-}
-
-/// Reads more of the file into the buffer; false at the end of the file.
-bool TextLines::refill()
-{
-    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
-    end_ -= begin_;
-    begin_ = 0;
-    if (end_ == buffer_.size())
-        buffer_.resize(2 * buffer_.size());
-    const std::size_t count = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
-    if (count == 0 && std::ferror(file_.get()) != 0)
-        refuse(place(), "cannot be read: " + std::generic_category().message(errno));
-    end_ += count;
-    buffered_ += count;
-    return count != 0;
 }
 
 } // namespace multipath

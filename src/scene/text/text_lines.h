@@ -1,12 +1,11 @@
 #pragma once
 
+#include "base/file_bytes.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace multipath {
 
@@ -37,48 +36,36 @@ struct TextLine
 
 /// Reads the statements of a Wavefront OBJ or MTL file, or the lines of another text file, one by one. Accepts any kind
 /// of line end and UTF-8 with or without a byte order mark. A backslash at the end of a line continues the statement on
-/// the next line, unless the statement takes a name or contains a `#`. Memory is proportional to the longest line.
+/// the next line, unless the statement takes a name or contains a `#`.
 class TextLines
 {
 public:
     static constexpr std::size_t longest_line = std::size_t{16} << 20; ///< [bytes]
 
-    /// Throws InputError for a file that cannot be read, a directory, and a file that looks like UTF-16. `joins_lines`:
-    /// joins lines continued by a backslash; false for files that do not have such lines.
+    /// Throws InputError for a file that cannot be read, and for one that looks like UTF-16. `joins_lines`: joins lines
+    /// continued by a backslash; false for files that do not have such lines.
     explicit TextLines(const std::string& path, bool joins_lines = true);
 
     /// Reads the next statement; returns false after the last one. Throws InputError for a control character other than
-    /// blanks and line ends, a line longer than longest_line, a file that ends after a continuation backslash, and an
-    /// error in reading.
+    /// blanks and line ends, a line longer than longest_line, and a file that ends after a continuation backslash.
     bool next(TextLine& line);
 
-    /// [1] The share of the file that was returned so far; 0 if the size of the file is unknown or 0.
+    /// [1] The share of the file that was returned so far; 0 for an empty file.
     double share_read() const;
 
 private:
-    struct Closer
-    {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-
     bool physical_line(std::string_view& text);
-    std::size_t scan_to_end_of_line(std::size_t length) const;
-    bool refill();
+    std::size_t length_of_line() const;
     TextLine join_continued(std::string_view first);
     TextLocation place() const { return {path_, number_}; }
 
     std::string path_;
     bool joins_lines_;
-    std::unique_ptr<std::FILE, Closer> file_;
-    std::vector<char> buffer_;
-    double size_ = 0.0;          ///< size of the file [bytes]; 0 if unknown
-    std::uint64_t buffered_ = 0; ///< bytes read into the buffer so far
-    std::size_t begin_ = 0;      ///< the bytes [begin_, end_) of the buffer are not yet returned
-    std::size_t end_ = 0;
-    std::uint32_t number_ = 0;           ///< of the last line that was returned
-    bool after_carriage_return_ = false; ///< the last line ended in CR, so that an LF belongs to its line end
-    bool ended_ = true;                  ///< see TextLine::ended
-    std::string joined_;                 ///< the last statement, if it was continued
+    FileBytes file_;
+    std::string_view rest_;    ///< not yet returned
+    std::uint32_t number_ = 0; ///< of the last line that was returned
+    bool ended_ = true;        ///< see TextLine::ended
+    std::string joined_;       ///< the last statement, if it was continued
 };
 
 } // namespace multipath

@@ -135,7 +135,7 @@ TEST_CASE("a backslash in a comment continues nothing")
 TEST_CASE("coordinates too large to compute with are refused")
 {
     CHECK(contains(problem("v 1e10 0 0\n"), "a.obj:1: coordinate beyond 1e9"));
-    CHECK(contains(problem("v 0 0 0 x\n"), "a.obj:1: vertex: `x` is not a number"));
+    CHECK(contains(problem("v 0 0 0 x\n"), "a.obj:1: vertex: `x` is not a finite number"));
 }
 
 TEST_CASE("a file without faces is refused")

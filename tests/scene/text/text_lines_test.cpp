@@ -49,16 +49,6 @@ TEST_CASE("any line end ends a line, and lines are numbered as an editor does")
                 "a\n") == Lines{{"a", 1}});
 }
 
-// The first buffer is 256 KiB: line ends of two characters and long lines must survive its border.
-TEST_CASE("lines do not depend on where the file is cut into blocks")
-{
-    const std::size_t buffer = std::size_t{1} << 18;
-    for (std::size_t length = buffer - 3; length <= buffer + 1; ++length)
-        CHECK(split(std::string(length, 'x') + "\r\ny\r\n") == Lines{{std::string(length, 'x'), 1}, {"y", 2}});
-    const std::string long_line(5 * buffer, 'z');
-    CHECK(split("a\n" + long_line + "\nb") == Lines{{"a", 1}, {long_line, 2}, {"b", 3}});
-}
-
 TEST_CASE("the share of the file that was read grows from nothing to all")
 {
     const ScratchFolder folder;
@@ -110,8 +100,8 @@ TEST_CASE("a file that cannot be read is refused with the reason")
     const ScratchFolder folder;
     const auto problem_with = [](const std::string& path) { return problem_of([&] { lines_of(path); }); };
     CHECK(problem_with(folder.path("none.obj")) ==
-          folder.path("none.obj") + ": cannot be opened: No such file or directory");
-    CHECK(problem_with(folder.path("")) == folder.path("") + ": is a directory, expected a file");
+          folder.path("none.obj") + ": cannot be read: No such file or directory");
+    CHECK(problem_with(folder.path("")) == folder.path("") + ": cannot be read: Is a directory");
 }
 
 TEST_CASE("words in messages are short and printable")
