@@ -56,8 +56,9 @@ std::optional<std::int64_t> reference(std::string_view text)
     for (const char c : text) {
         if (c < '0' || c > '9')
             return std::nullopt;
-        number = std::min(10 * number + (c - '0'), largest);
+        number = number < largest ? 10 * number + (c - '0') : number;
     }
+    number = std::min(number, largest);
     return text.empty() ? std::nullopt : std::optional(is_negative ? -number : number);
 }
 
@@ -242,7 +243,8 @@ ObjCorner ObjParser::corner(std::string_view word, const TextLocation& place) co
 {
     const std::size_t slash = std::min(word.find('/'), word.size());
     const std::optional<std::int64_t> number = reference(word.substr(0, slash));
-    if (!number || word.find_first_not_of("0123456789/+-", slash) != std::string_view::npos)
+    const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-' || c == '+'; };
+    if (!number || !std::all_of(word.begin() + static_cast<std::ptrdiff_t>(slash), word.end(), is_part))
         refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
     if (*number == 0)
         refuse(place, "vertex number 0, expected a number from 1, or a negative one that counts back");
