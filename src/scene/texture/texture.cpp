@@ -55,6 +55,12 @@ std::int64_t remainder(std::int64_t x, std::int64_t n)
     return r < 0 ? r + n : r;
 }
 
+void add(std::array<std::int64_t, 3>& sums, std::int64_t factor, const std::array<std::int64_t, 3>& more)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        sums[c] += factor * more[c];
+}
+
 } // namespace
 
 double area_of(const TexturePolygon& p)
@@ -86,18 +92,19 @@ Texture::Texture(std::string name, std::string bytes, bool repeats)
       bitmap_(read_image(name_, bytes_)),
       hash_(hash_of(bitmap_, repeats))
 {
-    constexpr auto strip_width = static_cast<std::uint32_t>(Strip::width);
-    strips_.resize(std::size_t{(bitmap_.width + strip_width - 1) / strip_width} * bitmap_.height);
+    strips_.resize(static_cast<std::size_t>((bitmap_.width + Strip::width - 1) / Strip::width) * bitmap_.height);
     std::array<double, 3> all{};
     for (std::uint32_t y = 0; y < bitmap_.height; ++y) {
         std::array<std::uint32_t, 3> sum{};
-        for (std::uint32_t x = 0; x < bitmap_.width; x += strip_width) {
-            Strip& strip = strips_[std::size_t{x / strip_width} * bitmap_.height + y];
-            strip = {sum, {}};
-            const std::size_t used = std::size_t{3} * std::min(strip_width, bitmap_.width - x);
-            std::copy_n(bitmap_.row(y) + 3 * std::size_t{x}, used, strip.rgb.begin());
-            for (std::size_t k = 0; k < used; ++k)
-                sum[k % 3] += linear_of_srgb[strip.rgb[k]];
+        for (std::uint32_t x = 0; x < bitmap_.width; ++x) {
+            Strip& strip = strips_[x / Strip::width * bitmap_.height + y];
+            if (x % Strip::width == 0)
+                strip.before = sum;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint8_t level = bitmap_.row(y)[3 * std::size_t{x} + c];
+                strip.rgb[3 * (x % Strip::width) + c] = level;
+                sum[c] += linear_of_srgb[level];
+            }
         }
         for (std::size_t c = 0; c < 3; ++c)
             all[c] += sum[c];
@@ -148,23 +155,14 @@ const std::uint8_t* Texture::pixel(std::int64_t x, std::int64_t y) const
     return bitmap_.row(row(y)) + 3 * column(x);
 }
 
-/// The strip that holds pixel x of a row of the bitmap; the last strip also for x = width.
-const Texture::Strip& Texture::strip(std::int64_t x, std::uint32_t row) const
-{
-    const std::int64_t number = std::min<std::int64_t>(x, bitmap_.width - 1) / Strip::width;
-    return strips_[static_cast<std::size_t>(number) * bitmap_.height + row];
-}
-
 /// The sums of the pixels 0 ... end - 1 of a row, with end from 0 to the width.
 Texture::Sums Texture::sums_within(std::int64_t end, std::uint32_t row) const
 {
-    const Strip& last = strip(end, row);
-    Sums sums = {last.before[0], last.before[1], last.before[2]};
-    const std::int64_t first = std::min<std::int64_t>(end, bitmap_.width - 1) / Strip::width * Strip::width;
-    const std::uint8_t* pixel = last.rgb.data();
-    for (std::int64_t x = first; x < end; ++x, pixel += 3)
-        for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += linear_of_srgb[pixel[c]];
+    const std::size_t last = std::min(static_cast<std::size_t>(end), std::size_t{bitmap_.width} - 1) / Strip::width;
+    const Strip& strip = strips_[last * bitmap_.height + row];
+    Sums sums = {strip.before[0], strip.before[1], strip.before[2]};
+    for (std::size_t k = 0; k < 3 * (static_cast<std::size_t>(end) - last * Strip::width); ++k)
+        sums[k % 3] += linear_of_srgb[strip.rgb[k]];
     return sums;
 }
 
@@ -177,10 +175,10 @@ Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
     const std::int64_t inside = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
     const std::int64_t beyond = x - inside; // a multiple of the width, or copies of the border pixel
     Sums sums = sums_within(inside, row);
-    const Sums row_sums = repeats_ ? sums_within(width, row) : Sums{};
-    const std::uint8_t* border = bitmap_.row(row) + 3 * (x < 0 ? 0 : width - 1);
-    for (std::size_t c = 0; c < 3; ++c)
-        sums[c] += repeats_ ? beyond / width * row_sums[c] : beyond * linear_of_srgb[border[c]];
+    if (repeats_)
+        add(sums, beyond / width, sums_within(width, row));
+    else
+        add(sums, beyond, light(x, row));
     return sums;
 }
 
@@ -189,11 +187,8 @@ Texture::Sums Texture::sums_of_corner(std::int64_t x, std::int64_t y) const
 {
     const std::int64_t blocks = bitmap_.height / rows_per_block + 1;
     Sums sums = below_[static_cast<std::size_t>(x * blocks + y / rows_per_block)];
-    for (std::int64_t k = y / rows_per_block * rows_per_block; k < y; ++k) {
-        const Sums in_row = sums_within(x, row(k));
-        for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += in_row[c];
-    }
+    for (std::int64_t k = y / rows_per_block * rows_per_block; k < y; ++k)
+        add(sums, 1, sums_within(x, row(k)));
     return sums;
 }
 
@@ -201,43 +196,40 @@ Texture::Sums Texture::sums_of_corner(std::int64_t x, std::int64_t y) const
 /// of whole images, or of copies of the border, in both directions.
 Texture::Sums Texture::sums_below(std::int64_t x, std::int64_t y) const
 {
-    const std::int64_t width = bitmap_.width;
-    const std::int64_t height = bitmap_.height;
-    if (x >= 0 && x <= width && y >= 0 && y <= height)
-        return sums_of_corner(x, y);
-    const std::int64_t inside_x = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
-    const std::int64_t inside_y = repeats_ ? remainder(y, height) : std::clamp<std::int64_t>(y, 0, height);
-    // One period, or the pixel at the border: from the first of these to the second.
-    const auto period = [&](std::int64_t at, std::int64_t size) {
-        return repeats_ ? std::pair<std::int64_t, std::int64_t>{0, size}
-                        : (at < 0 ? std::pair<std::int64_t, std::int64_t>{0, 1} : std::pair{size - 1, size});
+    struct Place
+    {
+        std::int64_t inside, periods, from, to; ///< a period, or a pixel at the border, is [from, to)
     };
-    const auto [left, right] = period(x, width);
-    const auto [low, high] = period(y, height);
-    const std::int64_t periods_x = (x - inside_x) / (right - left);
-    const std::int64_t periods_y = (y - inside_y) / (high - low);
-    Sums sums{};
-    const auto add = [&](std::int64_t factor, std::int64_t at_x, std::int64_t at_y) {
-        const Sums corner = factor != 0 ? sums_of_corner(at_x, at_y) : Sums{};
-        for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += factor * corner[c];
+    const auto place = [&](std::int64_t at, std::int64_t size) -> Place {
+        if (repeats_)
+            return {remainder(at, size), (at - remainder(at, size)) / size, 0, size};
+        const std::int64_t inside = std::clamp<std::int64_t>(at, 0, size);
+        return {inside, at - inside, at < 0 ? 0 : size - 1, at < 0 ? 1 : size};
     };
-    add(1, inside_x, inside_y);
-    add(periods_x, right, inside_y);
-    add(-periods_x, left, inside_y);
-    add(periods_y, inside_x, high);
-    add(-periods_y, inside_x, low);
-    add(periods_x * periods_y, right, high);
-    add(-periods_x * periods_y, left, high);
-    add(-periods_x * periods_y, right, low);
-    add(periods_x * periods_y, left, low);
+    const Place h = place(x, bitmap_.width);
+    const Place v = place(y, bitmap_.height);
+    const auto in_columns = [&](std::int64_t end) {
+        Sums sums = sums_of_corner(end, v.inside);
+        if (v.periods != 0) {
+            add(sums, v.periods, sums_of_corner(end, v.to));
+            add(sums, -v.periods, sums_of_corner(end, v.from));
+        }
+        return sums;
+    };
+    Sums sums = in_columns(h.inside);
+    if (h.periods != 0) {
+        add(sums, h.periods, in_columns(h.to));
+        add(sums, -h.periods, in_columns(h.from));
+    }
     return sums;
 }
 
 /// Linear light of a pixel, which may lie outside the image, in a row of the bitmap.
 Texture::Sums Texture::light(std::int64_t x, std::uint32_t row) const
 {
-    const std::uint8_t* rgb = bitmap_.row(row) + 3 * column(x);
+    const auto inside = static_cast<std::size_t>(column(x));
+    const Strip& strip = strips_[inside / Strip::width * bitmap_.height + row];
+    const std::uint8_t* rgb = &strip.rgb[3 * (inside % Strip::width)];
     return {linear_of_srgb[rgb[0]], linear_of_srgb[rgb[1]], linear_of_srgb[rgb[2]]};
 }
 
@@ -264,20 +256,19 @@ void Texture::integrate_upright(double s, double from_t, double to_t, std::int64
     const auto first = static_cast<std::int64_t>(std::floor(from_t));
     const auto last = static_cast<std::int64_t>(std::floor(to_t));
     const auto add_part_of_row = [&](std::int64_t y, double height) { // [rows]
-        const std::uint32_t in_row = row(y);
-        const Sums before = sums_before(x, in_row);
-        const Sums start = sums_before(first_column, in_row);
-        const Sums under = light(x, in_row);
+        Sums before = sums_before(x, row(y));
+        add(before, -1, sums_before(first_column, row(y)));
+        const Sums under = light(x, row(y));
         for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += height * (static_cast<double>(before[c] - start[c]) + within * static_cast<double>(under[c]));
+            sums[c] += height * (static_cast<double>(before[c]) + within * static_cast<double>(under[c]));
     };
     const auto add_whole_rows = [&](std::int64_t column, double factor) {
-        const Sums low = sums_below(column, first);
-        const Sums high = sums_below(column, last);
-        const Sums low_start = sums_below(first_column, first);
-        const Sums high_start = sums_below(first_column, last);
+        Sums rows = sums_below(column, last);
+        add(rows, -1, sums_below(first_column, last));
+        add(rows, -1, sums_below(column, first));
+        add(rows, 1, sums_below(first_column, first));
         for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += factor * static_cast<double>((high[c] - high_start[c]) - (low[c] - low_start[c]));
+            sums[c] += factor * static_cast<double>(rows[c]);
     };
     add_whole_rows(x, 1.0 - within);
     add_whole_rows(x + 1, within);
@@ -308,9 +299,7 @@ void Texture::integrate_slanted(TexturePoint from, TexturePoint to, std::int64_t
         const std::int64_t last = pixel_after(end, -ds);
         std::int64_t x = ds != 0.0 ? pixel_after(s, ds) : last;
         Sums sum = sums_before(x, in_row);
-        const Sums start = sums_before(first_column, in_row);
-        for (std::size_t c = 0; c < 3; ++c)
-            sum[c] -= start[c];
+        add(sum, -1, sums_before(first_column, in_row));
         const double rows_per_column = (last - x) * right > 0 ? height / (end - s) : 0.0;
         for (double rows_left = height;; x += right) {
             const bool ends = (last - x) * right <= 0;
@@ -324,9 +313,7 @@ void Texture::integrate_slanted(TexturePoint from, TexturePoint to, std::int64_t
                 break;
             rows_left -= rows;
             s = leaves;
-            const Sums passed = ds > 0.0 ? under : light(x - 1, in_row);
-            for (std::size_t c = 0; c < 3; ++c)
-                sum[c] += right * passed[c];
+            add(sum, right, ds > 0.0 ? under : light(x - 1, in_row));
         }
         s = end;
         before = next;

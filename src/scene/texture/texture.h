@@ -82,15 +82,14 @@ private:
     /// step of integrate() reads lies together.
     struct Strip
     {
-        static constexpr std::int64_t width = 4; ///< pixels
+        static constexpr std::size_t width = 4; ///< pixels
         std::array<std::uint32_t, 3> before;
-        std::array<std::uint8_t, 3 * width> rgb; ///< black beyond the border of the image
+        std::array<std::uint8_t, 3 * width> rgb; ///< unset beyond the border of the image
     };
 
     std::int64_t column(std::int64_t x) const;
     std::uint32_t row(std::int64_t y) const;
     const std::uint8_t* pixel(std::int64_t x, std::int64_t y) const;
-    const Strip& strip(std::int64_t x, std::uint32_t row) const;
     Sums sums_within(std::int64_t end, std::uint32_t row) const;
     Sums sums_before(std::int64_t x, std::uint32_t row) const;
     Sums sums_of_corner(std::int64_t x, std::int64_t y) const;
