@@ -4,7 +4,6 @@
 #include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "geometry/polygon.h"
 #include "scene/partitions.h"
 #include "scene/surface_edges.h"
 #include "scene/tessellation.h"
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -135,7 +135,10 @@ double one_digit(double value)
 class SceneChecks
 {
 public:
-    SceneChecks(const Scene& scene, const SceneReport& report) : scene_(scene), file_(scene.file()), report_(report) {}
+    SceneChecks(const Scene& scene, const SceneReport& report)
+        : scene_(scene), file_(scene.file()), survey_(report.survey), report_(report)
+    {
+    }
 
     std::vector<Finding> findings()
     {
@@ -144,43 +147,33 @@ public:
         lost_behind();
         escaping();
         coincident_faces();
-        materials();
+        unknown_materials();
+        bright_materials();
         depth();
         reader_flaws();
         scale();
         coarse_patches();
         partitions();
         std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
-            if (a.makes_wrong_result != b.makes_wrong_result)
-                return a.makes_wrong_result;
-            return a.power_share != b.power_share ? a.power_share > b.power_share : a.area_share > b.area_share;
+            return std::tie(a.makes_wrong_result, a.power_share, a.area_share) >
+                   std::tie(b.makes_wrong_result, b.power_share, b.area_share);
         });
         return std::move(findings_);
     }
 
 private:
-    void trapped_light()
+    void add_note(const char* kind, const std::string& place, const std::string& message, double power_share = 0.0,
+                  double area_share = 0.0, const std::vector<Advice>& advice = {})
     {
-        if (report_.trapped)
-            findings_.push_back({"trapped", true, place_of(scene_.surface_of(*report_.trapped)),
-                                 "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` "
-                                 "refuses the scene; lower Kd of '" +
-                                     scene_.material_of(*report_.trapped).name + "'",
-                                 1.0});
-    }
-
-    void add_note(const char* kind, const std::string& place, const std::string& message,
-                  const std::vector<Advice>& advice = {})
-    {
-        findings_.push_back({kind, false, place, message, 0.0, 0.0, advice});
+        findings_.push_back({kind, false, place, message, power_share, area_share, advice});
     }
 
     /// Adds a finding that makes the result wrong if one of the shares reaches share_that_matters.
     void add_weighed(const char* kind, const std::string& place, const std::string& message, double power_share,
                      double area_share, const std::vector<Advice>& advice = {})
     {
-        const bool wrong = std::max(power_share, area_share) >= share_that_matters;
-        findings_.push_back({kind, wrong, place, message, power_share, area_share, advice});
+        add_note(kind, place, message, power_share, area_share, advice);
+        findings_.back().makes_wrong_result = std::max(power_share, area_share) >= share_that_matters;
     }
 
     std::string place_of(std::uint32_t surface) const { return file_.path + ":" + std::to_string(file_.line[surface]); }
@@ -195,30 +188,25 @@ private:
                std::to_string(file_.line[surface]) + ")";
     }
 
-    /// The names of the surfaces with the largest counts, with their percentages of the sum.
-    std::string largest(const std::vector<std::uint64_t>& counts) const
+    /// The first surfaces by name.
+    std::string names_of(const std::vector<std::uint32_t>& surfaces) const
+    {
+        std::vector<std::string> names;
+        for (const std::uint32_t s : surfaces)
+            names.push_back(name_of(s));
+        return first_of(names, most_names);
+    }
+
+    /// The surfaces with the largest counts, at most most_names of them.
+    static std::vector<std::uint32_t> largest(const std::vector<std::uint64_t>& counts)
     {
         std::vector<std::uint32_t> order(counts.size());
         std::iota(order.begin(), order.end(), 0u);
-        const auto shown = std::min(most_names, order.size());
-        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
-                          [&](std::uint32_t a, std::uint32_t b) {
-                              return counts[a] > counts[b] || (counts[a] == counts[b] && a < b);
-                          });
-        const auto whole = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
-        std::string text;
-        for (std::size_t i = 0; i < shown; ++i) {
-            const double percent = 100.0 * static_cast<double>(counts[order[i]]) / whole;
-            if (i == 0 || percent >= 1.0)
-                text += (i == 0 ? "" : ", ") + name_of(order[i]) + format(" %.0f %%", percent);
-        }
-        return text;
-    }
-
-    /// The surface with the largest count.
-    std::uint32_t most_counted(const std::vector<std::uint64_t>& counts) const
-    {
-        return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+        const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(most_names, order.size()));
+        std::partial_sort(order.begin(), end, order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return counts[a] > counts[b] || (counts[a] == counts[b] && a < b);
+        });
+        return {order.begin(), end};
     }
 
     double share(Rgb part) const { return report_.trapped ? 0.0 : mean(part) / mean(report_.balance.emitted); }
@@ -229,28 +217,36 @@ private:
     }
     double area_of_surfaces() const { return scene_.own_area() / (scene_.two_sided() ? 2.0 : 1.0); }
 
+    void trapped_light()
+    {
+        if (!report_.trapped)
+            return;
+        add_note("trapped", place_of(scene_.surface_of(*report_.trapped)),
+                 "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` refuses the "
+                 "scene; lower Kd of '" +
+                     scene_.material_of(*report_.trapped).name + "'",
+                 1.0);
+        findings_.back().makes_wrong_result = true;
+    }
+
     void idle_emitters()
     {
         std::vector<std::uint32_t> idle;
         double idle_power = 0.0;
         for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s)
-            if (emits(scene_, s) && report_.survey.departures[s] > 0 && report_.survey.arrivals[s] == 0) {
+            if (emits(scene_, s) && survey_.departures[s] > 0 && survey_.arrivals[s] == 0) {
                 idle.push_back(s);
                 idle_power += power(s);
             }
         if (idle.empty())
             return;
-        const bool one = idle.size() == 1;
         const double part = idle_power / mean(scene_.source_power());
-        const bool inside_out = is_inside_out(scene_, report_.survey);
+        const bool inside_out = is_inside_out(scene_, survey_);
         add_weighed("emitter", place_of(idle[0]),
-                    (one ? "the emitter " + name_of(idle[0]) + " lights nothing"
-                         : counted(idle.size(), "emitter") + " light nothing, first " + name_of(idle[0])) +
-                        format(" (%.3g %% of the source power): ", 100.0 * part) + (one ? "it faces" : "they face") +
-                        " away from everything; " +
-                        (inside_out ? "the scene is inside out"
-                         : one      ? "reverse the order of its corners"
-                                    : "reverse the order of their corners"),
+                    format("emitters that light nothing, facing away from everything (%.3g %% of the source power): ",
+                           100.0 * part) +
+                        names_of(idle) +
+                        (inside_out ? "; the scene is inside out" : "; reverse the order of their corners"),
                     part, 0.0, inside_out ? turn_all : std::vector<Advice>{});
     }
 
@@ -259,18 +255,23 @@ private:
         const double lost = share(report_.balance.behind);
         if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
-        const std::string surfaces =
-            format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost) +
-            largest(report_.survey.met_behind);
-        const std::string place = place_of(most_counted(report_.survey.met_behind));
+        const std::vector<std::uint64_t>& counts = survey_.met_behind;
+        const std::vector<std::uint32_t> surfaces = largest(counts);
+        const auto whole = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+        std::string text = format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost);
+        for (const std::uint32_t s : surfaces) {
+            const double percent = 100.0 * static_cast<double>(counts[s]) / whole;
+            if (s == surfaces[0] || percent >= 1.0)
+                text += (s == surfaces[0] ? "" : ", ") + name_of(s) + format(" %.0f %%", percent);
+        }
+        const std::string place = place_of(surfaces[0]);
         if (lost < share_that_matters)
-            return add_weighed("behind", place, surfaces + ", too little to matter", lost, 0.0);
-        std::vector<Advice> advice = is_inside_out(scene_, report_.survey) ? turn_all : std::vector<Advice>{};
+            return add_weighed("behind", place, text + ", too little to matter", lost, 0.0);
+        std::vector<Advice> advice = is_inside_out(scene_, survey_) ? turn_all : std::vector<Advice>{};
         advice.push_back({Remedy::two_sided, "", "gives every face a back"});
         add_weighed("behind", place,
-                    surfaces +
-                        "; reverse these faces if they look the wrong way, or close the solids that they belong to "
-                        "(a box on the floor needs its bottom, a lamp its back)",
+                    text + "; reverse these faces if they look the wrong way, or close the solids that they belong to "
+                           "(a box on the floor needs its bottom, a lamp its back)",
                     lost, 0.0, advice);
     }
 
@@ -280,19 +281,17 @@ private:
         if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
         const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
-        std::vector<std::string> names;
-        for (const std::uint32_t surface : open)
-            names.push_back(name_of(surface));
-        const std::string edges = open.empty() ? "" : "; open edges: " + first_of(names, most_names);
         const std::string place = open.empty() ? file_.path : place_of(open[0]);
-        const std::string escapes = format("%.3g %% of the power escapes", 100.0 * lost);
-        if (lost >= 0.01)
-            findings_.push_back({"open", false, place, escapes + ": the scene is open" + edges, lost, 0.0});
-        else if (lost >= share_that_matters)
-            add_weighed("leak", place, escapes + ": the scene looks closed but leaks; close the gaps" + edges, lost,
-                        0.0);
+        const bool is_open = lost >= 0.01;
+        const std::string text = format("%.3g %% of the power escapes", 100.0 * lost) +
+                                 (is_open                      ? ": the scene is open"
+                                  : lost >= share_that_matters ? ": the scene looks closed but leaks; close the gaps"
+                                                               : " through gaps, too little to matter") +
+                                 (open.empty() ? "" : "; open edges: " + names_of(open));
+        if (is_open)
+            add_note("open", place, text, lost);
         else
-            add_weighed("leak", place, escapes + " through gaps, too little to matter" + edges, lost, 0.0);
+            add_weighed("leak", place, text, lost, 0.0);
     }
 
     /// True if two surfaces have the same bounds and centre, as those of equal corners in another order have, and the
@@ -310,102 +309,84 @@ private:
         return near(box_a.low, box_b.low) && near(box_a.high, box_b.high) && near(a.centre(), b.centre());
     }
 
-    /// Adds one finding for all pairs of a kind. If harmful, its shares are upper bounds of the hidden area and power:
-    /// those of the smaller surface of each pair, each counted once.
-    void add_pairs(const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& at_least,
-                   const std::string& what, const std::string& advice, bool harmful)
+    void coincident_faces()
     {
-        if (pairs.empty())
-            return;
-        std::vector<bool> counted_already(file_.surfaces.size(), false);
-        double hidden_area = 0.0;
-        double hidden_power = 0.0;
-        for (const CoincidentFaces& pair : pairs) {
+        const CoincidentPairs found = find_coincident_faces(scene_, most_coincident_pairs);
+        std::vector<CoincidentFaces> hiding, equal, touching;
+        for (const CoincidentFaces& pair : found.pairs)
+            (!pair.same_side ? touching : are_equal(pair.first, pair.second) ? equal : hiding).push_back(pair);
+        // Upper bounds of the hidden area and power: those of the smaller surface of each pair, each counted once.
+        std::set<std::uint32_t> hidden;
+        double hidden_area = 0.0, hidden_power = 0.0;
+        for (const CoincidentFaces& pair : hiding) {
             const std::uint32_t smaller = area(pair.second) < area(pair.first) ? pair.second : pair.first;
-            if (harmful && !counted_already[smaller]) {
+            if (hidden.insert(smaller).second) {
                 hidden_area += area(smaller);
                 hidden_power += power(smaller);
             }
-            counted_already[smaller] = true;
         }
-        const CoincidentFaces& first = pairs.front();
-        add_weighed(kind, place_of(first.second),
-                    at_least + counted(pairs.size(), "pair") + " of faces " + what + ": " + name_of(first.first) +
-                        " and " + name_of(first.second) + advice,
-                    hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
+        const auto add = [&](const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& what,
+                             double power_share = 0.0, double area_share = 0.0) {
+            if (!pairs.empty())
+                add_weighed(kind, place_of(pairs[0].second),
+                            (found.complete ? "" : "at least ") + counted(pairs.size(), "pair") + " of faces " + what +
+                                ": " + name_of(pairs[0].first) + " and " + name_of(pairs[0].second),
+                            power_share, area_share);
+        };
+        add("duplicate", hiding,
+            "lie in one place and face the same way, so the smaller hides the larger where they overlap; remove one or "
+            "move it",
+            hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
+        add("copy", equal, "are the same twice, of which one counts");
+        add("coincident", touching, "touch with their fronts or backs, which is handled");
     }
 
-    void coincident_faces()
+    /// Adds a finding about the materials that satisfy a condition, with their share of the area.
+    template <class Condition>
+    void add_materials(const char* kind, const Condition& condition, const std::string& flaw, const std::string& advice)
     {
-        std::vector<CoincidentFaces> hiding;
-        std::vector<CoincidentFaces> equal;
-        std::vector<CoincidentFaces> touching;
-        const CoincidentPairs found = find_coincident_faces(scene_, most_coincident_pairs);
-        for (const CoincidentFaces& pair : found.pairs)
-            (!pair.same_side ? touching : are_equal(pair.first, pair.second) ? equal : hiding).push_back(pair);
-        const std::string at_least = found.complete ? "" : "at least ";
-        add_pairs("duplicate", hiding, at_least,
-                  "lie in one place and face the same way, so the smaller hides the larger where they overlap",
-                  "; remove one or move it", true);
-        add_pairs("copy", equal, at_least, "are the same twice, of which one counts", "", false);
-        add_pairs("coincident", touching, at_least, "touch with their fronts or backs, which is handled", "", false);
-    }
-
-    void materials()
-    {
-        std::vector<double> area_of(file_.materials.size(), 0.0);
+        std::vector<double> areas(file_.materials.size()); // [m^2]
         for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s)
-            area_of[file_.material[s]] += area(s);
-
-        double unknown_area = 0.0;
-        double bright_area = 0.0;
-        double brightest = 0.0;
-        std::vector<std::string> bright;
-        std::string first_bright;
-        std::string first_unknown = file_.path;
-        for (std::size_t m = 0; m < file_.materials.size(); ++m) {
+            areas[file_.material[s]] += area(s);
+        std::vector<std::string> names;
+        std::string place;
+        double all = 0.0;
+        for (std::size_t m = 0; m < areas.size(); ++m) {
             const Material& material = file_.materials[m];
-            const auto& unknown = file_.unknown_materials;
-            if (std::find(unknown.begin(), unknown.end(), material.name) != unknown.end()) {
-                first_unknown = unknown_area > 0.0 ? first_unknown : material.source;
-                unknown_area += area_of[m];
-            }
-            const double largest_channel =
-                std::max({material.reflectance.r, material.reflectance.g, material.reflectance.b});
-            if (largest_channel < 0.95)
+            if (!condition(material))
                 continue;
-            first_bright = bright.empty() ? material.source : first_bright;
-            bright.push_back(material.name);
-            bright_area += area_of[m];
-            brightest = std::max(brightest, largest_channel);
+            place = names.empty() ? material.source : place;
+            names.push_back(material.name);
+            all += areas[m];
         }
-        if (!file_.unknown_materials.empty())
-            add_weighed("unknown-material", first_unknown,
-                        counted(file_.unknown_materials.size(), "material") + " of " +
-                            format("%.3g %% of the area", 100.0 * unknown_area / area_of_surfaces()) +
-                            (file_.unknown_materials.size() == 1 ? " is" : " are") +
-                            " not defined, grey 0.5 stands in: " + list_of(file_.unknown_materials) + "; define " +
-                            (file_.unknown_materials.size() == 1 ? "it" : "them") + " in " + material_files(),
-                        0.0, unknown_area / area_of_surfaces());
-        if (!bright.empty())
-            findings_.push_back(
-                {"reflectance", false, first_bright,
-                 counted(bright.size(), "material") + (bright.size() == 1 ? " reflects " : " reflect ") +
-                     (bright.size() == 1 ? "" : "up to ") +
-                     format("%.0f %% of the light, more than any paint: ", 100.0 * brightest) + list_of(bright) +
-                     "; multiplied over many reflections this decides the brightness, so lower Kd if it is not meant",
-                 0.0, bright_area / area_of_surfaces()});
+        if (!names.empty())
+            add_weighed(kind, place, flaw + list_of(names) + advice, 0.0, all / area_of_surfaces());
     }
 
-    /// The MTL files of the scene by name, or a phrase for them if it names none.
-    std::string material_files() const
+    void unknown_materials()
     {
-        if (file_.material_files.empty())
-            return "an MTL file that `mtllib` names";
-        std::string names;
-        for (const std::string& file : file_.material_files)
-            names += (names.empty() ? "" : " or ") + file;
-        return names;
+        const std::vector<std::string>& unknown = file_.unknown_materials;
+        add_materials(
+            "unknown-material",
+            [&](const Material& m) { return std::find(unknown.begin(), unknown.end(), m.name) != unknown.end(); },
+            "materials that are not defined, grey 0.5 stands in: ", "; define them in an MTL file");
+    }
+
+    void bright_materials()
+    {
+        const auto brightness = [](const Material& m) {
+            return std::max({m.reflectance.r, m.reflectance.g, m.reflectance.b});
+        };
+        double brightest = 0.0;
+        for (const Material& m : file_.materials)
+            brightest = std::max(brightest, brightness(m));
+        const std::size_t before = findings_.size();
+        add_materials(
+            "reflectance", [&](const Material& m) { return brightness(m) >= 0.95; },
+            format("materials that reflect up to %.0f %% of the light, more than any paint: ", 100.0 * brightest),
+            "; multiplied over many reflections this decides the brightness, so lower Kd if it is not meant");
+        if (findings_.size() > before)
+            findings_.back().makes_wrong_result = false;
     }
 
     void depth()
@@ -419,15 +400,12 @@ private:
 
     void reader_flaws()
     {
-        if (!file_.unused_materials.empty()) {
-            std::vector<std::string> names;
-            for (const std::string& unused : file_.unused_materials)
-                names.push_back(unused.substr(unused.rfind(": ") + 2));
-            const std::string& first = file_.unused_materials[0];
-            add_note("unused-material", first.substr(0, first.rfind(": ")),
-                     counted(names.size(), "material") + (names.size() == 1 ? " is" : " are") +
-                         " used by no face: " + list_of(names));
-        }
+        std::vector<std::string> names;
+        for (const std::string& unused : file_.unused_materials)
+            names.push_back(unused.substr(unused.rfind(": ") + 2));
+        if (!names.empty())
+            add_note("unused-material", file_.unused_materials[0].substr(0, file_.unused_materials[0].rfind(": ")),
+                     "materials that no face uses: " + list_of(names));
         if (file_.dropped_faces > 0)
             add_note("zero-area", file_.path, counted(file_.dropped_faces, "face") + " without an area dropped");
         for (const std::string& warning : file_.warnings) {
@@ -451,8 +429,7 @@ private:
     /// thousands of small triangles large walls stay nearly uncut.
     void coarse_patches()
     {
-        const SurfaceList& all = scene_.surfaces();
-        if (scene_.patch_size() != default_patch_size({all.begin(), all.end() - file_.sky_surfaces}))
+        if (scene_.patch_size() != default_patch_size(own_surfaces()))
             return;
         double longest = 0.0;
         for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
@@ -467,57 +444,37 @@ private:
         add_note("coarse-patches", file_.path,
                  format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows", longest,
                         100.0 * longest / diagonal),
+                 0.0, 0.0,
                  {{Remedy::patch_size, format("%g", finer),
                    "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
                        " patches instead of " + grouped(scene_.patch_count())}});
     }
 
-    /// Reports patches that reach below partitions: those of surfaces that cut_at_partitions() left whole.
+    /// Reports surfaces that run on below partitions: those that cut_at_partitions() left whole.
     void partitions()
     {
-        const SurfaceList& all = scene_.surfaces();
-        const PartitionLines found =
-            find_partition_lines({all.begin(), all.end() - file_.sky_surfaces}, scene_.two_sided());
-        std::size_t surfaces = 0;
-        std::size_t patches = 0;
-        double patch_area = 0.0;
-        for (std::size_t first = 0, end = 0; first < found.lines.size(); first = end, ++surfaces) {
-            const std::uint32_t s = found.lines[first].surface;
-            while (end < found.lines.size() && found.lines[end].surface == s)
-                ++end;
-            const Tessellation& cells = scene_.tessellation(s);
-            for (std::uint32_t cell = 0; cell < cells.cell_count(); ++cell) {
-                const Surface shape = cells.cell(all[s], cell);
-                const bool parted = std::any_of(&found.lines[first], &found.lines[first] + (end - first),
-                                                [&](const PartitionLine& line) { return parts(line, shape); });
-                patches += parted ? 1 : 0;
-                patch_area += parted ? shape.area() : 0.0;
-            }
-        }
-        if (surfaces == 0 && found.complete)
-            return;
-        findings_.push_back({"partition", false, surfaces > 0 ? place_of(found.lines[0].surface) : file_.path,
-                             (found.complete ? "" : "too many faces touch to test all; at least ") + grouped(patches) +
-                                 (patches == 1 ? " patch" : " patches") + " of " + counted(surfaces, "face") +
-                                 " below partitions carry light to the other side" +
-                                 (surfaces > 0 ? ", as on " + name_of(found.lines[0].surface) + "; cut it there" : ""),
-                             0.0, patch_area / area_of_surfaces()});
+        const PartitionedSurfaces found = find_partitioned_surfaces(own_surfaces(), scene_.two_sided());
+        double parted_area = 0.0;
+        for (const std::uint32_t s : found.surfaces)
+            parted_area += area(s);
+        if (!found.surfaces.empty() || !found.complete)
+            add_note("partition", found.surfaces.empty() ? file_.path : place_of(found.surfaces[0]),
+                     (found.complete ? "" : "too many faces touch to test all; at least ") +
+                         counted(found.surfaces.size(), "face") +
+                         " below partitions, whose patches carry light to the other side, cut them there: " +
+                         names_of(found.surfaces),
+                     0.0, parted_area / area_of_surfaces());
     }
 
-    /// True if the line divides the patch.
-    static bool parts(const PartitionLine& line, const Surface& patch)
+    SurfaceList own_surfaces() const
     {
-        const Vec3 along = normalized(line.to - line.from);
-        const FlatPolygon outline = polygon_of(patch);
-        const HeightRange across = heights(outline, line.from, cross(patch.normal(), along));
-        const HeightRange beside = heights(outline, line.from, along);
-        const double little = 1e-3 * std::sqrt(patch.area());
-        return across.low < -little && across.high > little && beside.high > little &&
-               beside.low < length(line.to - line.from) - little;
+        const SurfaceList& all = scene_.surfaces();
+        return {all.begin(), all.end() - file_.sky_surfaces};
     }
 
     const Scene& scene_;
     const SceneFile& file_;
+    const LineSurvey& survey_;
     const SceneReport& report_;
     std::vector<Finding> findings_;
 };

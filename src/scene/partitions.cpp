@@ -18,7 +18,7 @@ namespace multipath {
 
 namespace {
 
-/// The limits that find_partition_lines() states [scene units].
+/// The limits that find_partitioned_surfaces() states [scene units].
 struct PartitionLimits
 {
     PartitionLimits(double diagonal, bool two_sided)
@@ -92,7 +92,6 @@ struct SurfacePlane
     {
     }
     Point2 flat(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
-    Vec3 space(Point2 p) const { return origin + p.x * x + p.y * y; }
 
     Vec3 origin, normal, x, y;
 };
@@ -427,18 +426,13 @@ std::vector<SurfacePiece> pieces_of(const Surface& surface, const std::vector<Co
 
 } // namespace
 
-PartitionLines find_partition_lines(const SurfaceList& surfaces, bool two_sided)
+PartitionedSurfaces find_partitioned_surfaces(const SurfaceList& surfaces, bool two_sided)
 {
-    PartitionLines result;
-    const PartitionSearch search(surfaces, two_sided);
-    result.complete = search.for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>& lines) {
-        const SurfacePlane plane(surfaces[s]);
-        const auto end = [&](const ContactLine& line, double place) {
-            return plane.space({line.origin.x + place * line.along.x, line.origin.y + place * line.along.y});
-        };
-        for (const ContactLine& line : lines)
-            result.lines.push_back({s, end(line, line.longest.low), end(line, line.longest.high)});
-    });
+    PartitionedSurfaces result;
+    result.complete =
+        PartitionSearch(surfaces, two_sided).for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>&) {
+            result.surfaces.push_back(s);
+        });
     return result;
 }
 
