@@ -146,12 +146,11 @@ public:
     Arrivals follow(std::size_t count, const std::vector<std::uint32_t>& lamps,
                     const std::vector<std::uint32_t>& receivers)
     {
-        start_at_lamps(count, lamps);
-        meet_surfaces();
+        meet_surfaces(start_at_lamps(count, lamps));
         start_outside(count, receivers);
         constexpr int most_reflections = 8;
         for (int reflection = 0; reflection < most_reflections && !rays_.empty(); ++reflection)
-            meet_surfaces();
+            meet_surfaces(std::vector<double>(rays_.size()));
         return std::move(arrivals_);
     }
 
@@ -169,17 +168,20 @@ private:
     }
 
     /// Every lamp, however weak, begins as many paths, or every k-th lamp begins one. They begin a little in front,
-    /// since a lamp in the plane of a ceiling that looks upward would touch its front.
-    void start_at_lamps(std::size_t count, const std::vector<std::uint32_t>& lamps)
+    /// since a lamp in the plane of a ceiling that looks upward would touch its front. Returns the area [m^2] for which
+    /// each stands.
+    std::vector<double> start_at_lamps(std::size_t count, const std::vector<std::uint32_t>& lamps)
     {
+        std::vector<double> areas;
         for (std::size_t k = 0; k < count && !lamps.empty(); ++k) {
             const std::uint32_t lamp = lamps[k * lamps.size() / count];
             const Surface& surface = file_.surfaces[lamp];
             const Vec3 front = normal(lamp, true);
             const Vec3 point = random_.point(surface) + aside_ * front;
             start(Intersector::no_surface, {point, random_.direction(front)});
-            lamp_areas_.push_back(surface.area() * static_cast<double>(lamps.size()) / static_cast<double>(count));
+            areas.push_back(surface.area() * static_cast<double>(lamps.size()) / static_cast<double>(count));
         }
+        return areas;
     }
 
     /// Light from outside is followed backwards, from both sides of the receivers, so that small ones count, too: half
@@ -216,19 +218,18 @@ private:
                 arrive(from[k], dot(rays[k].direction, normal(from[k], true)) > 0.0, rays[k].origin, 0.0);
     }
 
-    void meet_surfaces()
+    /// Follows all rays to the next surface. `lamp_areas`: [m^2] of the lamps for which they stand.
+    void meet_surfaces(const std::vector<double>& lamp_areas)
     {
         const std::vector<std::uint32_t> from = std::move(from_);
         const std::vector<Line> rays = std::move(rays_);
-        const std::vector<double> lamp_areas = std::move(lamp_areas_);
         from_.clear();
         rays_.clear();
-        lamp_areas_.clear();
         intersector_.closest_hits_from(from.data(), rays.data(), rays.size(), hits_);
         for (std::size_t k = 0; k < rays.size(); ++k)
             if (hits_.is_hit(k) && hits_[k].surface < file_.own_surfaces())
                 arrive(hits_[k].surface, hits_[k].front != (turned_[hits_[k].surface] != 0), rays[k].at(hits_[k].t),
-                       k < lamp_areas.size() ? lamp_areas[k] : 0.0);
+                       lamp_areas[k]);
     }
 
     /// Counts the arrival, and reflects a share of the paths by Russian roulette.
@@ -253,7 +254,6 @@ private:
     RandomRay random_;
     std::vector<std::uint32_t> from_; ///< per ray: the surface on which it starts
     std::vector<Line> rays_;
-    std::vector<double> lamp_areas_; ///< [m^2] per ray that comes from a lamp: the area for which it stands
     FirstHits hits_;
 };
 

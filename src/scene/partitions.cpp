@@ -21,22 +21,14 @@ namespace {
 /// The limits that find_partitioned_surfaces() states [scene units].
 struct PartitionLimits
 {
-    PartitionLimits(double diagonal, bool two_sided)
-        : touching(1e-4 * diagonal),
-          rise(1e-3 * diagonal),
-          contact(diagonal / 20.0),
-          width(diagonal / 500.0),
-          surface(diagonal / 64.0),
-          both_sides(two_sided)
-    {
-    }
-
-    double touching;
-    double rise;
-    double contact;
-    double width;
-    double surface;
+    double diagonal;
     bool both_sides; ///< what rises from the back counts, too
+
+    double touching() const { return 1e-4 * diagonal; }
+    double rise() const { return 1e-3 * diagonal; }
+    double contact() const { return diagonal / 20.0; }
+    double width() const { return diagonal / 500.0; }
+    double surface() const { return diagonal / 64.0; }
 };
 constexpr double slim_width = 0.25; ///< [1] largest width of a solid partition over its length
 constexpr double most_box_tests = 1u << 26;
@@ -109,8 +101,8 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
 {
     const FlatPolygon polygon = polygon_of(other);
     const HeightRange range = heights(polygon, plane.origin, plane.normal);
-    if (range.low > limits.touching || range.high < -limits.touching ||
-        !(range.high > limits.rise || (limits.both_sides && range.low < -limits.rise)))
+    if (range.low > limits.touching() || range.high < -limits.touching() ||
+        !(range.high > limits.rise() || (limits.both_sides && range.low < -limits.rise())))
         return std::nullopt;
     const Vec3 direction = cross(plane.normal, other.normal());
     if (!(length(direction) > nearly_parallel))
@@ -122,9 +114,9 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
         const Vec3 to = polygon.next(k);
         const double here = dot(from - plane.origin, plane.normal);
         const double there = dot(to - plane.origin, plane.normal);
-        if (std::abs(here) <= limits.touching)
+        if (std::abs(here) <= limits.touching())
             met.push_back(plane.flat(from));
-        else if (std::abs(there) > limits.touching && (here > 0.0) != (there > 0.0))
+        else if (std::abs(there) > limits.touching() && (here > 0.0) != (there > 0.0))
             met.push_back(plane.flat(from + (here / (here - there)) * (to - from)));
     }
     if (met.empty())
@@ -132,7 +124,7 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
     const auto [first, last] =
         std::minmax_element(met.begin(), met.end(), [&](Point2 a, Point2 b) { return dot(along, a) < dot(along, b); });
     const Contact found = {*first, *last}; // its left is normal x direction, away from the front of the other
-    if (!(found.size() > limits.touching))
+    if (!(found.size() > limits.touching()))
         return std::nullopt;
     return found;
 }
@@ -155,7 +147,7 @@ std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, con
 {
     std::vector<ContactLine> lines;
     for (const Contact& contact : contacts) {
-        const double near = 2.0 * limits.touching;
+        const double near = 2.0 * limits.touching();
         auto line = std::find_if(lines.begin(), lines.end(), [&](const ContactLine& other) {
             return std::abs(other.height(contact.from)) <= near && std::abs(other.height(contact.to)) <= near;
         });
@@ -170,7 +162,7 @@ std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, con
         line->contacts.push_back({low, high});
     }
     for (ContactLine& line : lines) {
-        join_spans(line.contacts, 2.0 * limits.touching);
+        join_spans(line.contacts, 2.0 * limits.touching());
         line.longest = *std::max_element(line.contacts.begin(), line.contacts.end(),
                                          [](Span a, Span b) { return a.size() < b.size(); });
     }
@@ -193,7 +185,7 @@ const ContactLine* other_side(const ContactLine& line, const std::vector<Contact
         const double left = line.height(other.origin);
         const double depth = line.faces_left ? -left : left;
         const bool faces_away = (turn > 0.0) == line.faces_left ? other.faces_right : other.faces_left;
-        if (!(depth > limits.touching && depth < nearest) || !faces_away)
+        if (!(depth > limits.touching() && depth < nearest) || !faces_away)
             continue;
         for (const Span& part : other.contacts) {
             const double start = line.place(other.origin) + turn * part.low;
@@ -236,7 +228,7 @@ std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlan
     for (const SurfacePoint& p : part)
         heights.push_back(line.height(plane.flat(surface.at(p.u, p.v))));
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    if (!(*low<-limits.width&& * high> limits.width))
+    if (!(*low < -limits.width() && *high > limits.width()))
         return std::nullopt;
     std::pair<Part, Part> sides;
     Span chord = {Bounds::infinity, -Bounds::infinity};
@@ -246,7 +238,7 @@ std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlan
         sides.first.push_back(p);
         sides.second.push_back(p);
     };
-    const double rounding = 1e-3 * limits.touching;
+    const double rounding = 1e-3 * limits.touching();
     for (std::size_t k = 0; k < part.size(); ++k) {
         const std::size_t next = k + 1 < part.size() ? k + 1 : 0;
         const double here = heights[k];
@@ -261,7 +253,7 @@ std::optional<std::pair<Part, Part>> divided(const Part& part, const SurfacePlan
         }
     }
     const bool reached = std::any_of(line.contacts.begin(), line.contacts.end(), [&](Span contact) {
-        return std::min(contact.high, chord.high) - std::max(contact.low, chord.low) > limits.width;
+        return std::min(contact.high, chord.high) - std::max(contact.low, chord.low) > limits.width();
     });
     return reached ? std::optional(sides) : std::nullopt;
 }
@@ -325,7 +317,7 @@ class PartitionSearch
 {
 public:
     PartitionSearch(const SurfaceList& surfaces, bool two_sided)
-        : surfaces_(surfaces), limits_(bounds_of(surfaces).diagonal(), two_sided)
+        : surfaces_(surfaces), limits_{bounds_of(surfaces).diagonal(), two_sided}
     {
         for (const Surface& surface : surfaces)
             boxes_.push_back(surface.bounds());
@@ -341,7 +333,7 @@ public:
         bool complete = true;
         double box_tests = 0.0;
         for (const std::uint32_t s : order_by_descending_area(surfaces_)) {
-            if (boxes_[s].diagonal() < limits_.surface)
+            if (boxes_[s].diagonal() < limits_.surface())
                 continue;
             if (box_tests > most_box_tests)
                 return false;
@@ -366,7 +358,7 @@ private:
     {
         const SurfacePlane plane(surfaces_[s]);
         Bounds around = boxes_[s];
-        const Vec3 margin = {limits_.touching, limits_.touching, limits_.touching};
+        const Vec3 margin = {limits_.touching(), limits_.touching(), limits_.touching()};
         around.include(around.low - margin);
         around.include(around.high + margin);
         std::vector<Contact> contacts;
@@ -386,7 +378,7 @@ private:
         const SurfacePlane plane(surface);
         const std::vector<ContactLine> all = contact_lines(contacts, limits_);
         const auto divides = [&](const ContactLine& line) {
-            return line.longest.size() >= limits_.contact &&
+            return line.longest.size() >= limits_.contact() &&
                    divided(whole(surface.shape), plane, surface, line, limits_).has_value();
         };
         // One cut is enough for a slim solid, and none if the solid covers the surface up to its border.

@@ -58,69 +58,54 @@ struct CellTrees::GridCell
     }
 };
 
-class CellTrees::Builder
+namespace {
+
+[[noreturn]] void refuse_levels()
 {
-public:
-    Builder(CellTrees& trees, const Tessellation& grid, const std::uint8_t* levels, std::size_t count)
-        : trees_(trees), grid_(grid), levels_(levels), count_(count)
-    {
-    }
+    throw std::invalid_argument("levels that are no quadtrees");
+}
 
-    void build()
-    {
-        const auto cells = static_cast<std::uint32_t>(grid_.cell_count());
-        for (std::size_t k = 0; k < count_; ++k)
-            trees_.depth_ = std::max(trees_.depth_, levels_[k]);
-        if (!fit(grid_, trees_.depth_))
-            refuse();
-        trees_.nodes_.resize(cells);
-        trees_.leaves_.reserve(count_);
-        for (std::uint32_t cell = 0; cell < cells; ++cell) {
-            const GridPoint first = grid_.corners(cell).points[0];
-            const bool upper = grid_.shape == Shape::triangle && grid_.corners(cell).points[1].i < first.i;
-            const std::uint32_t back = upper ? 1 : 0;
-            add({first.i - back, first.j - back, upper}, 0, cell);
-        }
-        if (trees_.leaves_.size() != count_)
-            refuse();
-    }
-
-private:
-    [[noreturn]] static void refuse() { throw std::invalid_argument("levels that are no quadtrees"); }
-
-    /// Adds the subtree of a cell, whose root is nodes_[node].
-    void add(GridCell cell, std::uint8_t level, std::size_t node)
-    {
-        const std::size_t leaf = trees_.leaves_.size();
-        if (leaf >= count_ || levels_[leaf] < level)
-            refuse();
-        if (levels_[leaf] == level) {
-            trees_.nodes_[node] = static_cast<std::uint32_t>(leaf);
-            trees_.leaves_.push_back({cell.number(grid_.uniform(level)), level});
-            return;
-        }
-        const std::size_t first = trees_.nodes_.size();
-        trees_.nodes_.resize(first + 4);
-        trees_.nodes_[node] = inner | static_cast<std::uint32_t>(first);
-        std::size_t part = first;
-        for (const GridCell& quarter : cell.parts(grid_.shape))
-            add(quarter, static_cast<std::uint8_t>(level + 1), part++);
-    }
-
-    CellTrees& trees_;
-    const Tessellation& grid_;
-    const std::uint8_t* levels_;
-    std::size_t count_;
-};
+} // namespace
 
 bool CellTrees::fit(const Tessellation& grid, std::uint8_t level)
 {
     return level <= deepest && std::ldexp(static_cast<double>(grid.cell_count()), 2 * level) < cell_limit;
 }
 
-CellTrees::CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::size_t count) : shape_(grid.shape)
+CellTrees::CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::size_t count)
+    : shape_(grid.shape), depth_(count > 0 ? *std::max_element(levels, levels + count) : std::uint8_t{0})
 {
-    Builder(*this, grid, levels, count).build();
+    if (!fit(grid, depth_))
+        refuse_levels();
+    const auto cells = static_cast<std::uint32_t>(grid.cell_count());
+    nodes_.resize(cells);
+    leaves_.reserve(count);
+    for (std::uint32_t cell = 0; cell < cells; ++cell) {
+        const CellCorners around = grid.corners(cell);
+        const bool upper = grid.shape == Shape::triangle && around.points[1].i < around.points[0].i;
+        const std::uint32_t back = upper ? 1 : 0;
+        add_tree(grid, {around.points[0].i - back, around.points[0].j - back, upper}, 0, cell, levels, count);
+    }
+    if (leaves_.size() != count)
+        refuse_levels();
+}
+
+void CellTrees::add_tree(const Tessellation& grid, GridCell cell, std::uint8_t level, std::size_t node,
+                         const std::uint8_t* levels, std::size_t count)
+{
+    const std::size_t leaf = leaves_.size();
+    if (leaf >= count || levels[leaf] < level)
+        refuse_levels();
+    if (levels[leaf] == level) {
+        nodes_[node] = static_cast<std::uint32_t>(leaf);
+        leaves_.push_back({cell.number(grid.uniform(level)), level});
+        return;
+    }
+    std::size_t part = nodes_.size();
+    nodes_[node] = inner | static_cast<std::uint32_t>(part);
+    nodes_.resize(part + 4);
+    for (const GridCell& quarter : cell.parts(shape_))
+        add_tree(grid, quarter, static_cast<std::uint8_t>(level + 1), part++, levels, count);
 }
 
 CellCorners Tessellation::corners(std::uint32_t cell) const

@@ -65,7 +65,9 @@ private:
         std::uint8_t level;
     };
     struct GridCell;
-    class Builder;
+    /// Adds the subtree of a cell, whose root is nodes_[node] and whose first leaf is the next one.
+    void add_tree(const Tessellation& grid, GridCell cell, std::uint8_t level, std::size_t node,
+                  const std::uint8_t* levels, std::size_t count);
     static constexpr std::uint32_t inner = 0x80000000u;
 
     Shape shape_;

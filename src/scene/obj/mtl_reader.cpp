@@ -42,23 +42,255 @@ public:
         : path_(path), emission_from_(emission_from), library_(library), lines_(path)
     {
     }
-    void parse();
+    void parse()
+    {
+        TextLine line;
+        while (lines_.next(line))
+            statement(line);
+        if (const auto warning = ignored_.warning("ignored, since only Kd and " + emission_keyword() + " count"))
+            library_.warnings.push_back(*warning);
+        if (const auto warning = ignored_options_.warning("options of textures that are ignored"))
+            library_.warnings.push_back(*warning);
+    }
 
 private:
-    void statement(const TextLine& line);
-    void ignore(std::string_view keyword, std::string_view rest, TextLocation place);
-    void define(const std::string& name, TextLocation place);
-    void set_reflectance(std::string_view rest, TextLocation place);
-    void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place);
-    Rgb colour(std::string_view keyword, std::string_view rest, TextLocation place) const;
-    void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place);
-    void note_ambient(std::string_view rest);
-    void note_opacity(std::string_view keyword, std::string_view rest);
-    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map);
-    TextureMap read_map(std::string_view rest, std::vector<std::string_view>& ignored_options);
-    const std::string& texture(const std::string& name);
-    MtlMaterial& current_material(std::string_view keyword, TextLocation place);
-    const std::string& name_of_current() const;
+    void statement(const TextLine& line)
+    {
+        std::string_view rest = line.text;
+        const std::string_view keyword = next_word(rest);
+        if (keyword.empty() || keyword[0] == '#')
+            return;
+        if (keyword == "newmtl")
+            define(std::string(trimmed(rest)), line.place);
+        else if (keyword == "Kd")
+            set_reflectance(without_comment(rest), line.place);
+        else if (keyword == emission_keyword())
+            set_emittance(keyword, without_comment(rest), line.place);
+        else if (keyword == "map_Kd" || keyword == "map_kd")
+            set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
+        else if (keyword == "map_Ke" || keyword == "map_ke")
+            set_map(keyword, rest, line.place, &MtlMaterial::emission_map);
+        else if (keyword == "map_d" || keyword == "map_D")
+            set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
+        else
+            ignore(keyword, rest, line.place);
+        if (keyword == "Ka")
+            note_ambient(without_comment(rest));
+        if (keyword == "d" || keyword == "Tr")
+            note_opacity(keyword, without_comment(rest));
+    }
+
+    void ignore(std::string_view keyword, std::string_view rest, TextLocation place)
+    {
+        ignored_.note(keyword, place);
+        std::vector<std::string_view> unused;
+        if (names_image(keyword))
+            read_map(rest, unused);
+    }
+
+    /// Begins a material. A repeated definition replaces the earlier one, at its index.
+    void define(const std::string& name, TextLocation place)
+    {
+        const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
+        const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
+        current_ = entry->second;
+        has_dissolve_ = false;
+        MtlMaterial fresh;
+        fresh.material.name = name;
+        fresh.material.source = name_of(place);
+        if (is_new) {
+            library_.materials.push_back(fresh);
+            return;
+        }
+        library_.warnings.push_back(name_of(place) + ": material " + in_quotes(name) + " is defined again (first at " +
+                                    library_.materials[*current_].material.source + "), the last definition counts");
+        library_.materials[*current_] = fresh;
+    }
+
+    void set_reflectance(std::string_view rest, TextLocation place)
+    {
+        MtlMaterial& current = current_material("Kd", place);
+        const Rgb reflectance = colour("Kd", rest, place);
+        const auto [least, largest] = std::minmax({reflectance.r, reflectance.g, reflectance.b});
+        if (least < 0.0)
+            refuse(place, "Kd of material " + in_quotes(current.material.name) + " is negative, expected 0 to 1");
+        current.flaw = largest > 1.0 ? name_of(place) + ": Kd of material " + in_quotes(current.material.name) +
+                                           " is above 1, it would reflect more light than it receives; expected 0 to 1"
+                                     : "";
+        note_repetition("Kd", current.kd_line, place);
+        current.material.reflectance = reflectance;
+        current.kd_line = place.line;
+    }
+
+    void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place)
+    {
+        MtlMaterial& current = current_material(keyword, place);
+        Rgb emittance = colour(keyword, rest, place);
+        const auto [least, largest] = std::minmax({emittance.r, emittance.g, emittance.b});
+        if (least < 0.0 || largest > largest_emittance)
+            refuse(place, std::string(keyword) + " of material " + in_quotes(current.material.name) + " is " +
+                              (least < 0.0 ? "negative" : "above 1e30") + ", expected the emitted power per area");
+        note_repetition(keyword, current.emission_line, place);
+        current.emission_too_small = false;
+        for (double* channel : {&emittance.r, &emittance.g, &emittance.b})
+            if (*channel > 0.0 && *channel < smallest_emittance) {
+                *channel = 0.0;
+                current.emission_too_small = true;
+            }
+        if (current.emission_too_small)
+            library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
+                                        in_quotes(current.material.name) + " is below 1e-30, which counts as 0");
+        current.material.emittance = emittance;
+        current.emission_line = place.line;
+    }
+
+    /// Parses three numbers, or a single one for grey.
+    Rgb colour(std::string_view keyword, std::string_view rest, TextLocation place) const
+    {
+        const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
+        std::array<double, 3> values = {};
+        std::size_t count = 0;
+        for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+            if (word == "spectral" || word == "xyz")
+                refuse(place, statement + " is given as " + in_quotes(word) + ", expected red, green and blue");
+            if (count == values.size())
+                refuse(place, statement + " has more than three numbers, expected one or three");
+            values[count++] = read_number(word, place, statement);
+        }
+        if (count != 1 && count != 3)
+            refuse(place, statement + " has " + std::to_string(count) + " numbers, expected one or three");
+        return count == 1 ? Rgb{values[0], values[0], values[0]} : Rgb{values[0], values[1], values[2]};
+    }
+
+    void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
+    {
+        if (first_line != 0)
+            library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
+                                        in_quotes(name_of_current()) + " is given again (first in line " +
+                                        std::to_string(first_line) + "), the last value counts");
+    }
+
+    /// Records Ka. It serves only for a hint if the scene has no light, so errors are ignored.
+    void note_ambient(std::string_view rest)
+    {
+        if (!current_)
+            return;
+        const double red = to_number(next_word(rest)).value_or(0.0);
+        const double green = to_number(next_word(rest)).value_or(red);
+        library_.materials[*current_].ambient = {red, green, to_number(next_word(rest)).value_or(red)};
+    }
+
+    /// Records `d` or `Tr`. Exporters disagree whether `Tr 1` alone means opaque or invisible, so it is ignored.
+    void note_opacity(std::string_view keyword, std::string_view rest)
+    {
+        std::string_view word = next_word(rest);
+        if (word == "-halo")
+            word = next_word(rest);
+        const std::optional<double> value = to_number(word);
+        if (!current_ || !value || !(*value >= 0.0 && *value <= 1.0) ||
+            (keyword == "Tr" && (has_dissolve_ || *value == 1.0)))
+            return;
+        has_dissolve_ = has_dissolve_ || keyword == "d";
+        library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
+    }
+
+    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
+    {
+        if (!current_)
+            refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
+        std::vector<std::string_view> ignored_options;
+        TextureMap result = read_map(rest, ignored_options);
+        result.line = place.line;
+        for (const std::string_view option : ignored_options)
+            ignored_options_.note(std::string(keyword) + ' ' + std::string(option), place);
+        if (!result.file.empty())
+            library_.materials[*current_].*map = result;
+    }
+
+    /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
+    /// blanks. `ignored_options`: those that would change the colours.
+    TextureMap read_map(std::string_view rest, std::vector<std::string_view>& ignored_options)
+    {
+        TextureMap result;
+        const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
+            std::array<double*, 3> targets = {&first, &second, nullptr};
+            for (double* const target : targets) {
+                std::string_view after = rest;
+                const std::optional<double> value = to_number(next_word(after));
+                if (!value)
+                    return;
+                if (target)
+                    *target = std::abs(*value) <= 1e6 ? *value : 0.0;
+                rest = after;
+            }
+        };
+        for (std::string_view after = rest; !after.empty(); after = rest) {
+            const std::string_view option = next_word(after);
+            if (option.size() < 2 || option[0] != '-')
+                break;
+            std::string_view value = after;
+            const std::string_view word = next_word(value);
+            if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
+                rest = after;
+                if (option == "-s")
+                    numbers(result.scale_s, result.scale_t);
+                else if (option == "-o")
+                    numbers(result.offset_s, result.offset_t);
+                else {
+                    const bool adds_and_multiplies = option == "-mm";
+                    double first = 0.0;
+                    double second = adds_and_multiplies ? 1.0 : 0.0;
+                    numbers(first, second);
+                    if (first != 0.0 || second != (adds_and_multiplies ? 1.0 : 0.0))
+                        ignored_options.push_back(option);
+                }
+            } else if (word.empty() || word[0] == '-' || value.empty()) {
+                break; // a file name that looks like an option
+            } else {
+                result.repeats = option == "-clamp" ? word != "on" : result.repeats;
+                if (option == "-imfchan" || (option == "-cc" && word != "off"))
+                    ignored_options.push_back(option);
+                rest = value;
+            }
+        }
+        for (const std::string_view name : {trimmed(rest), name_in(rest)}) { // with and without what may be a comment
+            result.file = std::string(name);
+            if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
+                result.file = result.file.substr(1, result.file.size() - 2);
+            result.found = result.file.empty() ? "" : texture(result.file);
+            if (!result.found.empty())
+                break;
+        }
+        return result;
+    }
+
+    /// The path of an image; empty if it is not found. Each name is looked up once, which may list many folders.
+    const std::string& texture(const std::string& name)
+    {
+        const auto [entry, is_new] = textures_.try_emplace(name);
+        if (is_new) {
+            entry->second = find_texture(path_, name).value_or("");
+            const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+            std::string path = name;
+            std::replace(path.begin(), path.end(), '\\', '/');
+            for (const std::string& spelling : std::set<std::string>{path, url_decoded(path)})
+                for (const std::filesystem::path& place : {folder / spelling, folder / last_part(spelling)})
+                    library_.texture_files.push_back(place.string());
+            if (!entry->second.empty())
+                library_.texture_files.push_back(entry->second);
+        }
+        return entry->second;
+    }
+
+    MtlMaterial& current_material(std::string_view keyword, TextLocation place)
+    {
+        if (!current_)
+            refuse(place, std::string(keyword) + " before the first `newmtl`, expected the name of a material first");
+        return library_.materials[*current_];
+    }
+
+    const std::string& name_of_current() const { return library_.materials[*current_].material.name; }
+
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
 
     const std::string path_;
@@ -71,258 +303,6 @@ private:
     IgnoredKeywords ignored_{16};
     IgnoredKeywords ignored_options_{8};
 };
-
-void MtlParser::parse()
-{
-    TextLine line;
-    while (lines_.next(line))
-        statement(line);
-    if (const auto warning = ignored_.warning("ignored, since only Kd and " + emission_keyword() + " count"))
-        library_.warnings.push_back(*warning);
-    if (const auto warning = ignored_options_.warning("options of textures that are ignored"))
-        library_.warnings.push_back(*warning);
-}
-
-void MtlParser::statement(const TextLine& line)
-{
-    std::string_view rest = line.text;
-    const std::string_view keyword = next_word(rest);
-    if (keyword.empty() || keyword[0] == '#')
-        return;
-    if (keyword == "newmtl")
-        define(std::string(trimmed(rest)), line.place);
-    else if (keyword == "Kd")
-        set_reflectance(without_comment(rest), line.place);
-    else if (keyword == emission_keyword())
-        set_emittance(keyword, without_comment(rest), line.place);
-    else if (keyword == "map_Kd" || keyword == "map_kd")
-        set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
-    else if (keyword == "map_Ke" || keyword == "map_ke")
-        set_map(keyword, rest, line.place, &MtlMaterial::emission_map);
-    else if (keyword == "map_d" || keyword == "map_D")
-        set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
-    else
-        ignore(keyword, rest, line.place);
-    if (keyword == "Ka")
-        note_ambient(without_comment(rest));
-    if (keyword == "d" || keyword == "Tr")
-        note_opacity(keyword, without_comment(rest));
-}
-
-void MtlParser::ignore(std::string_view keyword, std::string_view rest, TextLocation place)
-{
-    ignored_.note(keyword, place);
-    std::vector<std::string_view> unused;
-    if (names_image(keyword))
-        read_map(rest, unused);
-}
-
-/// Begins a material. A repeated definition replaces the earlier one, at its index.
-void MtlParser::define(const std::string& name, TextLocation place)
-{
-    const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
-    const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
-    current_ = entry->second;
-    has_dissolve_ = false;
-    MtlMaterial fresh;
-    fresh.material.name = name;
-    fresh.material.source = name_of(place);
-    if (is_new) {
-        library_.materials.push_back(fresh);
-        return;
-    }
-    library_.warnings.push_back(name_of(place) + ": material " + in_quotes(name) + " is defined again (first at " +
-                                library_.materials[*current_].material.source + "), the last definition counts");
-    library_.materials[*current_] = fresh;
-}
-
-void MtlParser::set_reflectance(std::string_view rest, TextLocation place)
-{
-    MtlMaterial& current = current_material("Kd", place);
-    const Rgb reflectance = colour("Kd", rest, place);
-    const auto [least, largest] = std::minmax({reflectance.r, reflectance.g, reflectance.b});
-    if (least < 0.0)
-        refuse(place, "Kd of material " + in_quotes(current.material.name) + " is negative, expected 0 to 1");
-    current.flaw = largest > 1.0 ? name_of(place) + ": Kd of material " + in_quotes(current.material.name) +
-                                       " is above 1, it would reflect more light than it receives; expected 0 to 1"
-                                 : "";
-    note_repetition("Kd", current.kd_line, place);
-    current.material.reflectance = reflectance;
-    current.kd_line = place.line;
-}
-
-void MtlParser::set_emittance(std::string_view keyword, std::string_view rest, TextLocation place)
-{
-    MtlMaterial& current = current_material(keyword, place);
-    Rgb emittance = colour(keyword, rest, place);
-    const auto [least, largest] = std::minmax({emittance.r, emittance.g, emittance.b});
-    if (least < 0.0 || largest > largest_emittance)
-        refuse(place, std::string(keyword) + " of material " + in_quotes(current.material.name) + " is " +
-                          (least < 0.0 ? "negative" : "above 1e30") + ", expected the emitted power per area");
-    note_repetition(keyword, current.emission_line, place);
-    current.emission_too_small = false;
-    for (double* channel : {&emittance.r, &emittance.g, &emittance.b})
-        if (*channel > 0.0 && *channel < smallest_emittance) {
-            *channel = 0.0;
-            current.emission_too_small = true;
-        }
-    if (current.emission_too_small)
-        library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
-                                    in_quotes(current.material.name) + " is below 1e-30, which counts as 0");
-    current.material.emittance = emittance;
-    current.emission_line = place.line;
-}
-
-/// Parses three numbers, or a single one for grey.
-Rgb MtlParser::colour(std::string_view keyword, std::string_view rest, TextLocation place) const
-{
-    const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
-    std::array<double, 3> values = {};
-    std::size_t count = 0;
-    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
-        if (word == "spectral" || word == "xyz")
-            refuse(place, statement + " is given as " + in_quotes(word) + ", expected red, green and blue");
-        if (count == values.size())
-            refuse(place, statement + " has more than three numbers, expected one or three");
-        values[count++] = read_number(word, place, statement);
-    }
-    if (count != 1 && count != 3)
-        refuse(place, statement + " has " + std::to_string(count) + " numbers, expected one or three");
-    return count == 1 ? Rgb{values[0], values[0], values[0]} : Rgb{values[0], values[1], values[2]};
-}
-
-/// Records Ka. It serves only for a hint if the scene has no light, so errors are ignored.
-void MtlParser::note_ambient(std::string_view rest)
-{
-    if (!current_)
-        return;
-    const double red = to_number(next_word(rest)).value_or(0.0);
-    const double green = to_number(next_word(rest)).value_or(red);
-    library_.materials[*current_].ambient = {red, green, to_number(next_word(rest)).value_or(red)};
-}
-
-/// Records `d` or `Tr`. Exporters disagree whether `Tr 1` alone means opaque or invisible, so it is ignored.
-void MtlParser::note_opacity(std::string_view keyword, std::string_view rest)
-{
-    std::string_view word = next_word(rest);
-    if (word == "-halo")
-        word = next_word(rest);
-    const std::optional<double> value = to_number(word);
-    if (!current_ || !value || !(*value >= 0.0 && *value <= 1.0) ||
-        (keyword == "Tr" && (has_dissolve_ || *value == 1.0)))
-        return;
-    has_dissolve_ = has_dissolve_ || keyword == "d";
-    library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
-}
-
-void MtlParser::set_map(std::string_view keyword, std::string_view rest, TextLocation place,
-                        TextureMap MtlMaterial::*map)
-{
-    if (!current_)
-        refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
-    std::vector<std::string_view> ignored_options;
-    TextureMap result = read_map(rest, ignored_options);
-    result.line = place.line;
-    for (const std::string_view option : ignored_options)
-        ignored_options_.note(std::string(keyword) + ' ' + std::string(option), place);
-    if (!result.file.empty())
-        library_.materials[*current_].*map = result;
-}
-
-/// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-/// blanks. `ignored_options`: those that would change the colours.
-TextureMap MtlParser::read_map(std::string_view rest, std::vector<std::string_view>& ignored_options)
-{
-    TextureMap result;
-    const auto numbers = [&rest](double& first, double& second) { // up to three; the second and third are optional
-        std::array<double*, 3> targets = {&first, &second, nullptr};
-        for (double* const target : targets) {
-            std::string_view after = rest;
-            const std::optional<double> value = to_number(next_word(after));
-            if (!value)
-                return;
-            if (target)
-                *target = std::abs(*value) <= 1e6 ? *value : 0.0;
-            rest = after;
-        }
-    };
-    for (std::string_view after = rest; !after.empty(); after = rest) {
-        const std::string_view option = next_word(after);
-        if (option.size() < 2 || option[0] != '-')
-            break;
-        std::string_view value = after;
-        const std::string_view word = next_word(value);
-        if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
-            rest = after;
-            if (option == "-s")
-                numbers(result.scale_s, result.scale_t);
-            else if (option == "-o")
-                numbers(result.offset_s, result.offset_t);
-            else {
-                const bool adds_and_multiplies = option == "-mm";
-                double first = 0.0;
-                double second = adds_and_multiplies ? 1.0 : 0.0;
-                numbers(first, second);
-                if (first != 0.0 || second != (adds_and_multiplies ? 1.0 : 0.0))
-                    ignored_options.push_back(option);
-            }
-        } else if (word.empty() || word[0] == '-' || value.empty()) {
-            break; // a file name that looks like an option
-        } else {
-            result.repeats = option == "-clamp" ? word != "on" : result.repeats;
-            if (option == "-imfchan" || (option == "-cc" && word != "off"))
-                ignored_options.push_back(option);
-            rest = value;
-        }
-    }
-    for (const std::string_view name : {trimmed(rest), name_in(rest)}) { // with and without what may be a comment
-        result.file = std::string(name);
-        if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
-            result.file = result.file.substr(1, result.file.size() - 2);
-        result.found = result.file.empty() ? "" : texture(result.file);
-        if (!result.found.empty())
-            break;
-    }
-    return result;
-}
-
-/// The path of an image; empty if it is not found. Each name is looked up once, which may list many folders.
-const std::string& MtlParser::texture(const std::string& name)
-{
-    const auto [entry, is_new] = textures_.try_emplace(name);
-    if (is_new) {
-        entry->second = find_texture(path_, name).value_or("");
-        const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-        std::string path = name;
-        std::replace(path.begin(), path.end(), '\\', '/');
-        for (const std::string& spelling : std::set<std::string>{path, url_decoded(path)})
-            for (const std::filesystem::path& place : {folder / spelling, folder / last_part(spelling)})
-                library_.texture_files.push_back(place.string());
-        if (!entry->second.empty())
-            library_.texture_files.push_back(entry->second);
-    }
-    return entry->second;
-}
-
-void MtlParser::note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
-{
-    if (first_line != 0)
-        library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
-                                    in_quotes(name_of_current()) + " is given again (first in line " +
-                                    std::to_string(first_line) + "), the last value counts");
-}
-
-MtlMaterial& MtlParser::current_material(std::string_view keyword, TextLocation place)
-{
-    if (!current_)
-        refuse(place, std::string(keyword) + " before the first `newmtl`, expected the name of a material first");
-    return library_.materials[*current_];
-}
-
-const std::string& MtlParser::name_of_current() const
-{
-    return library_.materials[*current_].material.name;
-}
 
 } // namespace
 

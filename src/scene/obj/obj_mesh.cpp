@@ -66,23 +66,278 @@ class ObjParser
 {
 public:
     explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
-    ObjMesh parse();
+    ObjMesh parse()
+    {
+        bool any_line = false;
+        TextLine line;
+        while (lines_.next(line)) {
+            statement(line);
+            any_line = true;
+        }
+        if (!any_line)
+            refuse(at_line(1), "the file is empty, expected a Wavefront OBJ file");
+        if (mesh_.faces.empty())
+            refuse(at_line(0), mesh_.faces_without_corners == 0
+                                   ? "no faces found, expected a Wavefront OBJ file with `f` statements"
+                                   : "every face has fewer than three vertices");
+        check_references();
+        complete_colours();
+        drop_comments();
+        summarise_warnings();
+        return std::move(mesh_);
+    }
 
 private:
-    void statement(const TextLine& line);
-    void named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place);
-    void vertex(std::string_view rest, const TextLocation& place);
-    void face(std::string_view rest, const TextLine& line);
-    ObjCorner corner(std::string_view word, const TextLocation& place) const;
-    void colour(double red, double green, double blue, std::uint32_t line);
-    void texture_point(std::string_view rest, std::uint32_t line);
-    void number_names(std::uint32_t line);
-    void library(std::string_view names, const TextLocation& place);
-    void reserve_vertices();
-    void check_references();
-    void complete_colours();
-    void drop_comments();
-    void summarise_warnings();
+    void statement(const TextLine& line)
+    {
+        std::string_view rest = line.text;
+        const std::string_view keyword = next_word(rest);
+        if (keyword == "v")
+            vertex(without_comment(rest), line.place);
+        else if (keyword == "f" || keyword == "fo")
+            face(without_comment(rest), line);
+        else if (keyword == "vt")
+            texture_point(without_comment(rest), line.place.line);
+        else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn")
+            named_statement(keyword, rest, line.place);
+    }
+
+    void named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place)
+    {
+        if (keyword == "usemtl") {
+            material_ = trimmed(rest);
+            names_changed_ = true;
+        } else if (keyword == "g") {
+            group_ = trimmed(rest);
+            object_is_last_ = group_is_used_ = false;
+            names_changed_ = true;
+        } else if (keyword == "o") {
+            object_ = trimmed(rest);
+            object_is_last_ = names_changed_ = true;
+            if (group_is_used_)
+                group_.clear();
+        } else if (keyword == "mtllib") {
+            library(trimmed(rest), place);
+        } else if (contains(unsupported_keywords, keyword)) {
+            refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
+        } else if (!contains(harmless_keywords, keyword)) {
+            unknown_.note(keyword, place);
+        }
+    }
+
+    /// Adds a vertex: x y z, optionally followed by a weight (one number) or a colour (three).
+    void vertex(std::string_view rest, const TextLocation& place)
+    {
+        std::array<double, 3> x = {};
+        for (double& coordinate : x) {
+            coordinate = read_number(next_word(rest), place, "vertex");
+            if (std::abs(coordinate) > largest_coordinate)
+                refuse(place, "coordinate beyond 1e9, expected a scene of sensible size");
+        }
+        if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
+            refuse(place, "more than 2^31 vertices, expected fewer");
+        reserve_vertices();
+        mesh_.vertices.push_back({x[0], x[1], x[2]});
+
+        std::array<double, 3> more = {};
+        std::size_t count = 0;
+        for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
+            (count < more.size() ? more[count] : x[0]) = read_number(word, place, "vertex");
+        if (count == 1 && more[0] != 1.0)
+            weights_.add(place.line);
+        if (count == 3)
+            colour(more[0], more[1], more[2], place.line);
+        else if (count > 1)
+            numbers_after_vertices_.add(place.line);
+    }
+
+    void face(std::string_view rest, const TextLine& line)
+    {
+        if (names_changed_)
+            number_names(line.place.line);
+        const std::size_t first = mesh_.corners.size();
+        std::string_view last_word;
+        for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+            mesh_.corners.push_back(corner(word, line.place));
+            last_word = word;
+        }
+        const std::size_t count = mesh_.corners.size() - first;
+        if (!line.ended && (count < 3 || last_word.back() == '/'))
+            refuse(line.place, "the file ends in the middle of a face, expected at least three complete corners");
+        if (mesh_.corners.size() > std::numeric_limits<std::uint32_t>::max() / 2)
+            refuse(line.place, "more than 2^31 corners of faces, expected fewer");
+        if (count < 3) {
+            mesh_.corners.resize(first);
+            ++mesh_.faces_without_corners;
+            return;
+        }
+        next_face_.first_corner = static_cast<std::uint32_t>(first);
+        next_face_.corner_count = static_cast<std::uint32_t>(count);
+        next_face_.line = line.place.line;
+        mesh_.faces.push_back(next_face_);
+    }
+
+    /// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. References to later vertices and points are returned unchecked, and
+    /// a malformed reference to a point as one that does not exist.
+    ObjCorner corner(std::string_view word, const TextLocation& place) const
+    {
+        const std::size_t slash = std::min(word.find('/'), word.size());
+        const std::optional<std::int64_t> number = reference(word.substr(0, slash));
+        const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-' || c == '+'; };
+        if (!number || !std::all_of(word.begin() + static_cast<std::ptrdiff_t>(slash), word.end(), is_part))
+            refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
+        if (*number == 0)
+            refuse(place, "vertex number 0, expected a number from 1, or a negative one that counts back");
+        const auto vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
+        if (-*number > vertex_count)
+            refuse(place, "vertex " + in_quotes(word) + " counts back past the first vertex, " +
+                              std::to_string(vertex_count) + " are defined before this line");
+        if (*number >= std::int64_t{ObjCorner::none})
+            refuse(place, "vertex number " + in_quotes(word) + " is too large");
+        ObjCorner result;
+        result.vertex = static_cast<std::uint32_t>(*number < 0 ? vertex_count + *number : *number - 1);
+
+        const std::string_view rest = word.substr(std::min(slash + 1, word.size()));
+        if (const std::string_view point = rest.substr(0, rest.find('/')); !point.empty()) {
+            constexpr std::int64_t missing = ObjCorner::none - 1;
+            const std::int64_t given = reference(point).value_or(0);
+            const auto point_count = static_cast<std::int64_t>(mesh_.texture_points.size());
+            const std::int64_t index = given < 0 ? point_count + given : given - 1;
+            result.point = static_cast<std::uint32_t>(index < 0 ? missing : std::min(index, missing));
+        }
+        return result;
+    }
+
+    /// Sets the colour of the vertex added last.
+    void colour(double red, double green, double blue, std::uint32_t line)
+    {
+        const auto [least, largest] = std::minmax({red, green, blue});
+        if (least < 0.0 || largest > 1.0) {
+            numbers_after_vertices_.add(line);
+            return;
+        }
+        if (mesh_.colours.capacity() < mesh_.vertices.size())
+            mesh_.colours.reserve(mesh_.vertices.capacity());
+        mesh_.colours.resize(mesh_.vertices.size(), no_colour);
+        mesh_.colours.back() = {srgb_decoded(red), srgb_decoded(green), srgb_decoded(blue)};
+    }
+
+    /// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e9, counts as 0:
+    /// it is no reason to refuse a scene.
+    void texture_point(std::string_view rest, std::uint32_t line)
+    {
+        std::array<double, 2> st = {};
+        bool sound = true;
+        for (double& x : st) {
+            const std::string_view word = next_word(rest);
+            const std::optional<double> value = word.empty() ? 0.0 : to_number(word);
+            sound = sound && value && std::abs(*value) <= largest_coordinate;
+            x = sound ? *value : 0.0;
+        }
+        if (!sound)
+            texture_coordinates_.add(line);
+        mesh_.texture_points.push_back({st[0], st[1]});
+    }
+
+    /// Looks up the numbers of the current material, group and object, which a face is about to use.
+    void number_names(std::uint32_t line)
+    {
+        const auto number = [](auto& numbers, const std::string& name, auto& list, const auto& entry) {
+            const auto [known, is_new] = numbers.emplace(name, static_cast<std::uint32_t>(list.size()));
+            if (is_new)
+                list.push_back(entry);
+            return known->second;
+        };
+        const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
+        const std::string other_name = other == last ? "" : other;
+        next_face_.material = number(material_numbers_, material_, mesh_.materials, ObjName{material_, line});
+        next_face_.group = number(group_numbers_, last, mesh_.groups, last);
+        next_face_.other_name = number(other_numbers_, other_name, mesh_.other_names, other_name);
+        names_changed_ = false;
+        group_is_used_ = true;
+    }
+
+    /// Adds a `mtllib` statement unless it is a repetition: some exporters repeat it for every object.
+    void library(std::string_view names, const TextLocation& place)
+    {
+        constexpr std::size_t most_libraries = 256; // limits the search for files that a bad file can cause
+        std::vector<ObjName>& known = mesh_.libraries;
+        if (std::any_of(known.begin(), known.end(), [&](const ObjName& other) { return other.name == names; }))
+            return;
+        if (known.size() == most_libraries)
+            refuse(place, "more than 256 different `mtllib` statements");
+        known.push_back({std::string(names), place.line});
+    }
+
+    /// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so
+    /// far. Moving millions of vertices repeatedly takes time; reserved memory that stays unused does not.
+    void reserve_vertices()
+    {
+        constexpr std::size_t some = 4096;
+        const auto count = static_cast<double>(mesh_.vertices.size());
+        const double read = lines_.share_read();
+        if (mesh_.vertices.size() == mesh_.vertices.capacity() && count >= some && read > 0.0 && read < 1.0)
+            mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
+    }
+
+    void check_references()
+    {
+        for (const ObjFace& face : mesh_.faces) {
+            bool has_missing_point = false;
+            for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+                ObjCorner& corner = mesh_.corners[face.first_corner + k];
+                if (corner.vertex >= mesh_.vertices.size())
+                    refuse(at_line(face.line), "vertex " + std::to_string(corner.vertex + std::uint64_t{1}) +
+                                                   " does not exist, the file has " +
+                                                   std::to_string(mesh_.vertices.size()));
+                if (corner.point != ObjCorner::none && corner.point >= mesh_.texture_points.size()) {
+                    has_missing_point = true;
+                    corner.point = ObjCorner::none;
+                }
+            }
+            if (has_missing_point)
+                missing_points_.add(face.line);
+        }
+    }
+
+    /// Completes the list of colours. White alone changes nothing, and many programs write it.
+    void complete_colours()
+    {
+        const auto is_plain = [](Rgb colour) { return colour == no_colour || colour == Rgb{1.0, 1.0, 1.0}; };
+        if (std::all_of(mesh_.colours.begin(), mesh_.colours.end(), is_plain))
+            mesh_.colours.clear();
+        else
+            mesh_.colours.resize(mesh_.vertices.size(), no_colour);
+    }
+
+    /// Drops the comments after the names of groups and objects.
+    void drop_comments()
+    {
+        std::vector<std::string> names = mesh_.groups;
+        names.insert(names.end(), mesh_.other_names.begin(), mesh_.other_names.end());
+        names = without_comments(std::move(names));
+        const auto end_of_groups = names.begin() + static_cast<std::ptrdiff_t>(mesh_.groups.size());
+        mesh_.groups.assign(names.begin(), end_of_groups);
+        mesh_.other_names.assign(end_of_groups, names.end());
+    }
+
+    void summarise_warnings()
+    {
+        const auto warn = [&](const FlawCount& lines, const std::string& flaw) {
+            lines.warn(mesh_.path, flaw, mesh_.warnings);
+        };
+        warn(weights_, "the weight of a vertex (fourth number) is ignored, polygons have none");
+        warn(numbers_after_vertices_,
+             "the numbers after the coordinates of a vertex are ignored, expected a weight, or red, "
+             "green and blue from 0 to 1");
+        warn(texture_coordinates_, "a texture coordinate is not a number up to 1e9 and counts as 0");
+        warn(missing_points_, "a face refers to a texture point that does not exist, so it has the mean colour of its "
+                              "texture; the file has " +
+                                  counted(mesh_.texture_points.size(), "texture point"));
+        if (const auto warning = unknown_.warning("unknown statements ignored"))
+            mesh_.warnings.push_back(*warning);
+    }
+
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
@@ -100,277 +355,6 @@ private:
     FlawCount weights_, numbers_after_vertices_, texture_coordinates_, missing_points_;
     IgnoredKeywords unknown_{8};
 };
-
-ObjMesh ObjParser::parse()
-{
-    bool any_line = false;
-    TextLine line;
-    while (lines_.next(line)) {
-        statement(line);
-        any_line = true;
-    }
-    if (!any_line)
-        refuse(at_line(1), "the file is empty, expected a Wavefront OBJ file");
-    if (mesh_.faces.empty())
-        refuse(at_line(0), mesh_.faces_without_corners == 0
-                               ? "no faces found, expected a Wavefront OBJ file with `f` statements"
-                               : "every face has fewer than three vertices");
-    check_references();
-    complete_colours();
-    drop_comments();
-    summarise_warnings();
-    return std::move(mesh_);
-}
-
-void ObjParser::statement(const TextLine& line)
-{
-    std::string_view rest = line.text;
-    const std::string_view keyword = next_word(rest);
-    if (keyword == "v")
-        vertex(without_comment(rest), line.place);
-    else if (keyword == "f" || keyword == "fo")
-        face(without_comment(rest), line);
-    else if (keyword == "vt")
-        texture_point(without_comment(rest), line.place.line);
-    else if (!keyword.empty() && keyword[0] != '#' && keyword != "vn")
-        named_statement(keyword, rest, line.place);
-}
-
-void ObjParser::named_statement(std::string_view keyword, std::string_view rest, const TextLocation& place)
-{
-    if (keyword == "usemtl") {
-        material_ = trimmed(rest);
-        names_changed_ = true;
-    } else if (keyword == "g") {
-        group_ = trimmed(rest);
-        object_is_last_ = group_is_used_ = false;
-        names_changed_ = true;
-    } else if (keyword == "o") {
-        object_ = trimmed(rest);
-        object_is_last_ = names_changed_ = true;
-        if (group_is_used_)
-            group_.clear();
-    } else if (keyword == "mtllib") {
-        library(trimmed(rest), place);
-    } else if (contains(unsupported_keywords, keyword)) {
-        refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
-    } else if (!contains(harmless_keywords, keyword)) {
-        unknown_.note(keyword, place);
-    }
-}
-
-/// Adds a `mtllib` statement unless it is a repetition: some exporters repeat it for every object.
-void ObjParser::library(std::string_view names, const TextLocation& place)
-{
-    constexpr std::size_t most_libraries = 256; // limits the search for files that a bad file can cause
-    std::vector<ObjName>& known = mesh_.libraries;
-    if (std::any_of(known.begin(), known.end(), [&](const ObjName& other) { return other.name == names; }))
-        return;
-    if (known.size() == most_libraries)
-        refuse(place, "more than 256 different `mtllib` statements");
-    known.push_back({std::string(names), place.line});
-}
-
-/// Adds a vertex: x y z, optionally followed by a weight (one number) or a colour (three).
-void ObjParser::vertex(std::string_view rest, const TextLocation& place)
-{
-    std::array<double, 3> x = {};
-    for (double& coordinate : x) {
-        coordinate = read_number(next_word(rest), place, "vertex");
-        if (std::abs(coordinate) > largest_coordinate)
-            refuse(place, "coordinate beyond 1e9, expected a scene of sensible size");
-    }
-    if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
-        refuse(place, "more than 2^31 vertices, expected fewer");
-    reserve_vertices();
-    mesh_.vertices.push_back({x[0], x[1], x[2]});
-
-    std::array<double, 3> more = {};
-    std::size_t count = 0;
-    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
-        (count < more.size() ? more[count] : x[0]) = read_number(word, place, "vertex");
-    if (count == 1 && more[0] != 1.0)
-        weights_.add(place.line);
-    if (count == 3)
-        colour(more[0], more[1], more[2], place.line);
-    else if (count > 1)
-        numbers_after_vertices_.add(place.line);
-}
-
-/// Sets the colour of the vertex added last.
-void ObjParser::colour(double red, double green, double blue, std::uint32_t line)
-{
-    const auto [least, largest] = std::minmax({red, green, blue});
-    if (least < 0.0 || largest > 1.0) {
-        numbers_after_vertices_.add(line);
-        return;
-    }
-    if (mesh_.colours.capacity() < mesh_.vertices.size())
-        mesh_.colours.reserve(mesh_.vertices.capacity());
-    mesh_.colours.resize(mesh_.vertices.size(), no_colour);
-    mesh_.colours.back() = {srgb_decoded(red), srgb_decoded(green), srgb_decoded(blue)};
-}
-
-void ObjParser::face(std::string_view rest, const TextLine& line)
-{
-    if (names_changed_)
-        number_names(line.place.line);
-    const std::size_t first = mesh_.corners.size();
-    std::string_view last_word;
-    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
-        mesh_.corners.push_back(corner(word, line.place));
-        last_word = word;
-    }
-    const std::size_t count = mesh_.corners.size() - first;
-    if (!line.ended && (count < 3 || last_word.back() == '/'))
-        refuse(line.place, "the file ends in the middle of a face, expected at least three complete corners");
-    if (mesh_.corners.size() > std::numeric_limits<std::uint32_t>::max() / 2)
-        refuse(line.place, "more than 2^31 corners of faces, expected fewer");
-    if (count < 3) {
-        mesh_.corners.resize(first);
-        ++mesh_.faces_without_corners;
-        return;
-    }
-    next_face_.first_corner = static_cast<std::uint32_t>(first);
-    next_face_.corner_count = static_cast<std::uint32_t>(count);
-    next_face_.line = line.place.line;
-    mesh_.faces.push_back(next_face_);
-}
-
-/// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. References to later vertices and points are returned unchecked, and a
-/// malformed reference to a point as one that does not exist.
-ObjCorner ObjParser::corner(std::string_view word, const TextLocation& place) const
-{
-    const std::size_t slash = std::min(word.find('/'), word.size());
-    const std::optional<std::int64_t> number = reference(word.substr(0, slash));
-    const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-' || c == '+'; };
-    if (!number || !std::all_of(word.begin() + static_cast<std::ptrdiff_t>(slash), word.end(), is_part))
-        refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
-    if (*number == 0)
-        refuse(place, "vertex number 0, expected a number from 1, or a negative one that counts back");
-    const auto vertex_count = static_cast<std::int64_t>(mesh_.vertices.size());
-    if (-*number > vertex_count)
-        refuse(place, "vertex " + in_quotes(word) + " counts back past the first vertex, " +
-                          std::to_string(vertex_count) + " are defined before this line");
-    if (*number >= std::int64_t{ObjCorner::none})
-        refuse(place, "vertex number " + in_quotes(word) + " is too large");
-    ObjCorner result;
-    result.vertex = static_cast<std::uint32_t>(*number < 0 ? vertex_count + *number : *number - 1);
-
-    const std::string_view rest = word.substr(std::min(slash + 1, word.size()));
-    if (const std::string_view point = rest.substr(0, rest.find('/')); !point.empty()) {
-        constexpr std::int64_t missing = ObjCorner::none - 1;
-        const std::int64_t given = reference(point).value_or(0);
-        const auto point_count = static_cast<std::int64_t>(mesh_.texture_points.size());
-        const std::int64_t index = given < 0 ? point_count + given : given - 1;
-        result.point = static_cast<std::uint32_t>(index < 0 ? missing : std::min(index, missing));
-    }
-    return result;
-}
-
-/// Adds a texture point: s, optionally followed by t. A value that is not a number, or is beyond 1e9, counts as 0: it
-/// is no reason to refuse a scene.
-void ObjParser::texture_point(std::string_view rest, std::uint32_t line)
-{
-    std::array<double, 2> st = {};
-    bool sound = true;
-    for (double& x : st) {
-        const std::string_view word = next_word(rest);
-        const std::optional<double> value = word.empty() ? 0.0 : to_number(word);
-        sound = sound && value && std::abs(*value) <= largest_coordinate;
-        x = sound ? *value : 0.0;
-    }
-    if (!sound)
-        texture_coordinates_.add(line);
-    mesh_.texture_points.push_back({st[0], st[1]});
-}
-
-/// Looks up the numbers of the current material, group and object, which a face is about to use.
-void ObjParser::number_names(std::uint32_t line)
-{
-    const auto number = [](auto& numbers, const std::string& name, auto& list, const auto& entry) {
-        const auto [known, is_new] = numbers.emplace(name, static_cast<std::uint32_t>(list.size()));
-        if (is_new)
-            list.push_back(entry);
-        return known->second;
-    };
-    const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
-    const std::string other_name = other == last ? "" : other;
-    next_face_.material = number(material_numbers_, material_, mesh_.materials, ObjName{material_, line});
-    next_face_.group = number(group_numbers_, last, mesh_.groups, last);
-    next_face_.other_name = number(other_numbers_, other_name, mesh_.other_names, other_name);
-    names_changed_ = false;
-    group_is_used_ = true;
-}
-
-/// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so far.
-/// Moving millions of vertices repeatedly takes time; reserved memory that stays unused does not.
-void ObjParser::reserve_vertices()
-{
-    constexpr std::size_t some = 4096;
-    const auto count = static_cast<double>(mesh_.vertices.size());
-    const double read = lines_.share_read();
-    if (mesh_.vertices.size() == mesh_.vertices.capacity() && count >= some && read > 0.0 && read < 1.0)
-        mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
-}
-
-void ObjParser::check_references()
-{
-    for (const ObjFace& face : mesh_.faces) {
-        bool has_missing_point = false;
-        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-            ObjCorner& corner = mesh_.corners[face.first_corner + k];
-            if (corner.vertex >= mesh_.vertices.size())
-                refuse(at_line(face.line), "vertex " + std::to_string(corner.vertex + std::uint64_t{1}) +
-                                               " does not exist, the file has " +
-                                               std::to_string(mesh_.vertices.size()));
-            if (corner.point != ObjCorner::none && corner.point >= mesh_.texture_points.size()) {
-                has_missing_point = true;
-                corner.point = ObjCorner::none;
-            }
-        }
-        if (has_missing_point)
-            missing_points_.add(face.line);
-    }
-}
-
-/// Completes the list of colours. White alone changes nothing, and many programs write it.
-void ObjParser::complete_colours()
-{
-    const auto is_plain = [](Rgb colour) { return colour == no_colour || colour == Rgb{1.0, 1.0, 1.0}; };
-    if (std::all_of(mesh_.colours.begin(), mesh_.colours.end(), is_plain))
-        mesh_.colours.clear();
-    else
-        mesh_.colours.resize(mesh_.vertices.size(), no_colour);
-}
-
-/// Drops the comments after the names of groups and objects.
-void ObjParser::drop_comments()
-{
-    std::vector<std::string> names = mesh_.groups;
-    names.insert(names.end(), mesh_.other_names.begin(), mesh_.other_names.end());
-    names = without_comments(std::move(names));
-    const auto end_of_groups = names.begin() + static_cast<std::ptrdiff_t>(mesh_.groups.size());
-    mesh_.groups.assign(names.begin(), end_of_groups);
-    mesh_.other_names.assign(end_of_groups, names.end());
-}
-
-void ObjParser::summarise_warnings()
-{
-    const auto warn = [&](const FlawCount& lines, const std::string& flaw) {
-        lines.warn(mesh_.path, flaw, mesh_.warnings);
-    };
-    warn(weights_, "the weight of a vertex (fourth number) is ignored, polygons have none");
-    warn(numbers_after_vertices_,
-         "the numbers after the coordinates of a vertex are ignored, expected a weight, or red, "
-         "green and blue from 0 to 1");
-    warn(texture_coordinates_, "a texture coordinate is not a number up to 1e9 and counts as 0");
-    warn(missing_points_, "a face refers to a texture point that does not exist, so it has the mean colour of its "
-                          "texture; the file has " +
-                              counted(mesh_.texture_points.size(), "texture point"));
-    if (const auto warning = unknown_.warning("unknown statements ignored"))
-        mesh_.warnings.push_back(*warning);
-}
 
 } // namespace
 
