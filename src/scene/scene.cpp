@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <stdexcept>
 #include <utility>
 
@@ -33,18 +34,13 @@ public:
         std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
         add(bits);
     }
-    void add(Vec3 v)
+    void add(std::initializer_list<double> values)
     {
-        add(v.x);
-        add(v.y);
-        add(v.z);
+        for (const double value : values)
+            add(value);
     }
-    void add(Rgb c)
-    {
-        add(c.r);
-        add(c.g);
-        add(c.b);
-    }
+    void add(Vec3 v) { add({v.x, v.y, v.z}); }
+    void add(Rgb c) { add({c.r, c.g, c.b}); }
     std::uint64_t value() const { return state_; }
 
 private:
@@ -73,7 +69,7 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
             hash.add(file.textures[material.texture]->hash());
             hash.add(material.texture_scale);
             for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
-                hash.add(Vec3{p.s, p.t, frame.known ? 1.0 : 0.0});
+                hash.add({p.s, p.t, frame.known ? 1.0 : 0.0});
         }
         if (tessellations[s].trees)
             for (std::uint32_t cell = 0; cell < tessellations[s].cell_count(); ++cell)

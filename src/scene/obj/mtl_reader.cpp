@@ -113,8 +113,8 @@ private:
         const Rgb reflectance = colour("Kd", rest, place);
         const auto [least, largest] = std::minmax({reflectance.r, reflectance.g, reflectance.b});
         if (least < 0.0)
-            refuse(place, "Kd of material " + in_quotes(current.material.name) + " is negative, expected 0 to 1");
-        current.flaw = largest > 1.0 ? name_of(place) + ": Kd of material " + in_quotes(current.material.name) +
+            refuse(place, subject("Kd") + " is negative, expected 0 to 1");
+        current.flaw = largest > 1.0 ? name_of(place) + ": " + subject("Kd") +
                                            " is above 1, it would reflect more light than it receives; expected 0 to 1"
                                      : "";
         note_repetition("Kd", current.kd_line, place);
@@ -128,8 +128,8 @@ private:
         Rgb emittance = colour(keyword, rest, place);
         const auto [least, largest] = std::minmax({emittance.r, emittance.g, emittance.b});
         if (least < 0.0 || largest > largest_emittance)
-            refuse(place, std::string(keyword) + " of material " + in_quotes(current.material.name) + " is " +
-                              (least < 0.0 ? "negative" : "above 1e30") + ", expected the emitted power per area");
+            refuse(place, subject(keyword) + " is " + (least < 0.0 ? "negative" : "above 1e30") +
+                              ", expected the emitted power per area");
         note_repetition(keyword, current.emission_line, place);
         current.emission_too_small = false;
         for (double* channel : {&emittance.r, &emittance.g, &emittance.b})
@@ -138,8 +138,8 @@ private:
                 current.emission_too_small = true;
             }
         if (current.emission_too_small)
-            library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
-                                        in_quotes(current.material.name) + " is below 1e-30, which counts as 0");
+            library_.warnings.push_back(name_of(place) + ": " + subject(keyword) +
+                                        " is below 1e-30, which counts as 0");
         current.material.emittance = emittance;
         current.emission_line = place.line;
     }
@@ -147,7 +147,7 @@ private:
     /// Parses three numbers, or a single one for grey.
     Rgb colour(std::string_view keyword, std::string_view rest, TextLocation place) const
     {
-        const std::string statement = std::string(keyword) + " of material " + in_quotes(name_of_current());
+        const std::string statement = subject(keyword);
         std::array<double, 3> values = {};
         std::size_t count = 0;
         for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
@@ -165,8 +165,7 @@ private:
     void note_repetition(std::string_view keyword, std::uint32_t first_line, TextLocation place)
     {
         if (first_line != 0)
-            library_.warnings.push_back(name_of(place) + ": " + std::string(keyword) + " of material " +
-                                        in_quotes(name_of_current()) + " is given again (first in line " +
+            library_.warnings.push_back(name_of(place) + ": " + subject(keyword) + " is given again (first in line " +
                                         std::to_string(first_line) + "), the last value counts");
     }
 
@@ -196,15 +195,14 @@ private:
 
     void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
     {
-        if (!current_)
-            refuse(place, "a texture before the first `newmtl`, expected the name of a material first");
+        MtlMaterial& current = current_material(keyword, place);
         std::vector<std::string_view> ignored_options;
         TextureMap result = read_map(rest, ignored_options);
         result.line = place.line;
         for (const std::string_view option : ignored_options)
             ignored_options_.note(std::string(keyword) + ' ' + std::string(option), place);
         if (!result.file.empty())
-            library_.materials[*current_].*map = result;
+            current.*map = result;
     }
 
     /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
@@ -232,18 +230,16 @@ private:
             const std::string_view word = next_word(value);
             if (option == "-s" || option == "-o" || option == "-t" || option == "-mm") {
                 rest = after;
+                const std::array<double, 2> identity = {0.0, option == "-mm" ? 1.0 : 0.0};
+                std::array<double, 2> unused = identity;
                 if (option == "-s")
                     numbers(result.scale_s, result.scale_t);
                 else if (option == "-o")
                     numbers(result.offset_s, result.offset_t);
-                else {
-                    const bool adds_and_multiplies = option == "-mm";
-                    double first = 0.0;
-                    double second = adds_and_multiplies ? 1.0 : 0.0;
-                    numbers(first, second);
-                    if (first != 0.0 || second != (adds_and_multiplies ? 1.0 : 0.0))
-                        ignored_options.push_back(option);
-                }
+                else
+                    numbers(unused[0], unused[1]);
+                if (unused != identity)
+                    ignored_options.push_back(option);
             } else if (word.empty() || word[0] == '-' || value.empty()) {
                 break; // a file name that looks like an option
             } else {
@@ -289,8 +285,11 @@ private:
         return library_.materials[*current_];
     }
 
-    const std::string& name_of_current() const { return library_.materials[*current_].material.name; }
-
+    /// "Kd of material `wood`"
+    std::string subject(std::string_view keyword) const
+    {
+        return std::string(keyword) + " of material " + in_quotes(library_.materials[*current_].material.name);
+    }
     std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
 
     const std::string path_;

@@ -387,12 +387,8 @@ private:
     void read_frame(std::uint8_t marker, ByteReader segment)
     {
         const unsigned mode = marker - 0xC0U;
-        if (mode >= 9)
-            throw ImageError("JPEG with arithmetic coding is not supported");
-        if (mode == 3)
-            throw ImageError("lossless JPEG is not supported");
-        if (mode > 3)
-            throw ImageError("hierarchical JPEG is not supported");
+        if (mode > 2)
+            throw ImageError("JPEG with arithmetic coding, lossless and hierarchical JPEG are not supported");
         if (!components_.empty())
             throw ImageError("a JPEG file with two frames is not supported");
         progressive_ = mode == 2;
@@ -431,7 +427,7 @@ private:
         constexpr std::size_t least_part = 16;
         std::size_t blocks = 0;
         for (const JpegComponent& component : components_)
-            blocks += std::size_t{component.blocks_x} * component.blocks_y;
+            blocks += component.block_count();
         if (8 * least_part * bytes_.size() < blocks)
             throw ImageError("ends too early");
         picture_ = blank_bitmap(width, height);

@@ -285,10 +285,10 @@ TEST_CASE("a JPEG file that ends too early is refused, wherever it ends")
 TEST_CASE("JPEG modes that are not supported are named")
 {
     const std::string frame = from_hex("ffc0001108");
-    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc3001108"))) == "lossless JPEG is not supported");
-    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc5001108"))) == "hierarchical JPEG is not supported");
-    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc9001108"))) ==
-          "JPEG with arithmetic coding is not supported");
+    const std::string unsupported = "JPEG with arithmetic coding, lossless and hierarchical JPEG are not supported";
+    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc3001108"))) == unsupported);
+    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc5001108"))) == unsupported);
+    CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc9001108"))) == unsupported);
     CHECK(error_of(replaced(baseline_file, frame, from_hex("ffc100110c"))) ==
           "JPEG of 12 bits per sample is not supported");
     CHECK(error_of("GIF89a") == "does not begin like a JPEG file");
