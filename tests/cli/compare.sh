@@ -154,7 +154,7 @@ other_areas() {
 check "nor are patches of other areas, except for rounding" other_areas
 
 check "a missing file is named" refused "none.csv: cannot be read" a.csv none.csv
-check "a folder is no table" refused "is a directory" . a.csv
+check "a folder is no table" refused "Is a directory" . a.csv
 check "a picture is no table" refused "default.png:2: control character" default.png a.csv
 "$program" points --count 4 >points.csv
 check "a table of points is none of patches" refused "points.csv:4: no column \`patch\`" points.csv a.csv
