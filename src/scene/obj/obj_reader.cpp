@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace multipath {
@@ -139,6 +140,7 @@ void limit_reflectances(double limit, MaterialLibrary& library, SceneFile& scene
 /// The definition of each material of the mesh; the default material, with a warning, where no file has one.
 std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibrary& library, SceneFile& scene)
 {
+    const Names names = mesh.material_names();
     std::vector<MtlMaterial> definitions;
     std::string files;
     for (const std::string& file : scene.material_files)
@@ -150,7 +152,7 @@ std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibra
             continue;
         }
         MtlMaterial standing_in;
-        standing_in.material = {mesh.material_names()[k], default_reflectance, {}, name_of({mesh.path, used.line})};
+        standing_in.material = {names[k], default_reflectance, {}, name_of({mesh.path, used.line})};
         const std::string warning =
             standing_in.material.source + ": " +
             (used.name.empty() ? "faces without a material"
@@ -170,11 +172,10 @@ std::vector<MtlMaterial> used_definitions(const std::vector<MtlMaterial>& defini
     for (const std::uint32_t material : scene.material)
         is_used[material] = true;
     std::vector<MtlMaterial> used;
-    Names names;
+    std::unordered_set<std::string> names;
     for (std::size_t k = 0; k < definitions.size(); ++k) {
-        if (!is_used[k] || contains(names, definitions[k].material.name))
+        if (!is_used[k] || !names.insert(definitions[k].material.name).second)
             continue;
-        names.push_back(definitions[k].material.name);
         used.push_back(definitions[k]);
         used.back().material = scene.materials[k];
     }
