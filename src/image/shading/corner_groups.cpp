@@ -87,11 +87,6 @@ Rgb CornerLattice::interpolated(const Rgb* values, double u, double v) const
 
 namespace {
 
-Rgb not_negative(Rgb a)
-{
-    return {std::max(0.0, a.r), std::max(0.0, a.g), std::max(0.0, a.b)};
-}
-
 /// Makes the corner groups of one side of a surface.
 class Side
 {
@@ -229,7 +224,8 @@ private:
     {
         const std::uint32_t patch = first_patch_ + ring.cells[k]->cell;
         const std::size_t corners = scene_.corners(patch).count;
-        return not_negative(patches_.value(patch) + slopes_[patch].at_corner(ring.cells[k]->number, corners));
+        const Rgb value = patches_.value(patch) + slopes_[patch].at_corner(ring.cells[k]->number, corners);
+        return by_channel([](double x) { return std::max(0.0, x); }, value);
     }
 
     /// A corner lies on an edge of at most one larger cell, which covers all of one side.

@@ -68,8 +68,8 @@ public:
                 matrix_[i][j] += weight * basis[i] * basis[j];
             right_[i] += weight * basis[i] * value;
         }
-        low_ = {std::min(low_.r, value.r), std::min(low_.g, value.g), std::min(low_.b, value.b)};
-        high_ = {std::max(high_.r, value.r), std::max(high_.g, value.g), std::max(high_.b, value.b)};
+        low_ = by_channel([](double a, double b) { return std::min(a, b); }, low_, value);
+        high_ = by_channel([](double a, double b) { return std::max(a, b); }, high_, value);
     }
     bool empty() const { return !(matrix_[0][0] > 0.0); }
 
@@ -89,8 +89,8 @@ public:
         if (!(determinant > 1e-5 * scale))
             return (1.0 / matrix_[0][0]) * right_[0];
         const Rgb fitted = (1.0 / determinant) * (a * right_[0] + b * right_[1] + c * right_[2]);
-        return {std::clamp(fitted.r, low_.r, high_.r), std::clamp(fitted.g, low_.g, high_.g),
-                std::clamp(fitted.b, low_.b, high_.b)};
+        return by_channel([](double x, double low, double high) { return std::clamp(x, low, high); }, fitted, low_,
+                           high_);
     }
 
 private:
@@ -122,22 +122,15 @@ DisjointSets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int
             edges[first[s] + k] = {mix_bits(low) ^ high, s};
         }
     });
-    constexpr std::uint64_t parts = 16;
-    std::array<std::vector<Edge>, parts> sorted;
-    parallel_blocks(parts, threads, [&](std::uint64_t part) {
-        std::copy_if(edges.begin(), edges.end(), std::back_inserter(sorted[part]),
-                     [&](const Edge& edge) { return edge.key % parts == part; });
-        std::sort(sorted[part].begin(), sorted[part].end());
-    });
+    std::sort(edges.begin(), edges.end());
     DisjointSets sets(count);
-    for (const std::vector<Edge>& part : sorted)
-        for (std::size_t n = 1; n < part.size(); ++n) {
-            const std::uint32_t a = part[n - 1].surface;
-            const std::uint32_t b = part[n].surface;
-            if (part[n - 1].key == part[n].key && dot(normals[a], normals[b]) > 0.0 &&
-                length(cross(normals[a], normals[b])) < same_plane)
-                sets.unite(a, b);
-        }
+    for (std::size_t n = 1; n < edges.size(); ++n) {
+        const std::uint32_t a = edges[n - 1].surface;
+        const std::uint32_t b = edges[n].surface;
+        if (edges[n - 1].key == edges[n].key && dot(normals[a], normals[b]) > 0.0 &&
+            length(cross(normals[a], normals[b])) < same_plane)
+            sets.unite(a, b);
+    }
     return sets;
 }
 

@@ -18,12 +18,12 @@ namespace multipath {
 
 namespace {
 
-/// A position on a surface, in steps of its finest grid.
-struct GridPlace
+// Positions and vectors on a surface, either in steps of its finest grid or in the coordinates of a patch, have z = 0.
+
+Vec3 place_of(GridPoint point)
 {
-    double i;
-    double j;
-};
+    return {static_cast<double>(point.i), static_cast<double>(point.j), 0.0};
+}
 
 /// The patches across the edges of a patch, one for each half of an edge: a patch may appear twice.
 struct Neighbours
@@ -36,13 +36,6 @@ struct Neighbours
     const std::uint32_t* end() const { return list.data() + count; }
 };
 
-/// A vector in the coordinates of a patch, with its edges as unit vectors.
-struct Way
-{
-    double x;
-    double y;
-};
-
 /// Second moments of the vectors to the neighbours.
 struct SlopeMoments
 {
@@ -50,7 +43,7 @@ struct SlopeMoments
     double xy = 0.0;
     double yy = 0.0;
 
-    void add(Way way)
+    void add(Vec3 way)
     {
         xx += way.x * way.x;
         xy += way.x * way.y;
@@ -61,15 +54,30 @@ struct SlopeMoments
     bool on_one_line() const { return determinant() <= 1e-6 * trace() * trace(); }
 };
 
-GridPlace centre_of(const CellCorners& corners)
+Vec3 centre_of(const CellCorners& corners)
 {
-    GridPlace sum = {0.0, 0.0};
-    for (const GridPoint point : corners) {
-        sum.i += point.i;
-        sum.j += point.j;
-    }
+    Vec3 sum;
+    for (const GridPoint point : corners)
+        sum = sum + place_of(point);
     const auto count = static_cast<double>(corners.count);
-    return {sum.i / count, sum.j / count};
+    return {sum.x / count, sum.y / count, 0.0};
+}
+
+/// Factor in [0, 1] that brings a change into [low, high].
+double within(double change, double low, double high)
+{
+    return change > high ? high / change : change < low ? low / change : 1.0;
+}
+
+/// Slope at a border patch by linear extrapolation of the slope, as of a quadratic function: `own` is the slope half a
+/// step inside, `inner` that a whole step inside. The result is limited to between 0 and twice `inner`.
+Rgb at_end(Rgb own, Rgb inner)
+{
+    const auto limited = [](double half, double whole) {
+        const double slope = 2.0 * half - whole;
+        return whole > 0.0 ? std::clamp(slope, 0.0, 2.0 * whole) : std::clamp(slope, 2.0 * whole, 0.0);
+    };
+    return by_channel(limited, own, inner);
 }
 
 /// Computes the slopes of all patches.
@@ -103,11 +111,7 @@ private:
     template <class Make>
     void for_all(const Make& make) const
     {
-        constexpr std::uint32_t patches_at_a_time = 256;
-        parallel_ranges(scene_.patch_count(), patches_at_a_time, threads_, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i)
-                make(i);
-        });
+        parallel_numbers(scene_.patch_count(), threads_, make);
     }
 
     Neighbours neighbours(std::uint32_t patch) const
@@ -118,28 +122,27 @@ private:
         if (cut.cell_count() == 1 || !(patches_.open_share(patch) > 0.0))
             return result;
         const CellCorners corners = scene_.corners(patch);
-        const GridPlace centre = centre_of(corners);
+        const Vec3 centre = centre_of(corners);
         const bool triangle = cut.shape == Shape::triangle;
         for (std::size_t k = 0; k < corners.count; ++k) {
-            const GridPoint a = corners.points[k];
-            const GridPoint b = corners.points[(k + 1) % corners.count];
-            const GridPlace middle = {0.5 * a.i + 0.5 * b.i, 0.5 * a.j + 0.5 * b.j};
+            const Vec3 a = place_of(corners.points[k]);
+            const Vec3 b = place_of(corners.points[(k + 1) % corners.count]);
+            const Vec3 outward = 0.5 * a + 0.5 * b - centre;
             constexpr double beyond = 0.05; // [grid steps] distance of the test points from the edge
-            const double far = elementary::hypot(middle.i - centre.i, middle.j - centre.j);
+            const double far = elementary::hypot(outward.x, outward.y);
             for (const double share : {0.25, 0.75}) {
-                const GridPlace at = {(1.0 - share) * a.i + share * b.i, (1.0 - share) * a.j + share * b.j};
-                const double u = (at.i + beyond * (middle.i - centre.i) / far) / cut.grid_u();
-                const double v = (at.j + beyond * (middle.j - centre.j) / far) / cut.grid_v();
+                const Vec3 at = (1.0 - share) * a + share * b;
+                const double u = (at.x + beyond * outward.x / far) / cut.grid_u();
+                const double v = (at.y + beyond * outward.y / far) / cut.grid_v();
                 if (u < 0.0 || v < 0.0 || (triangle ? u + v > 1.0 : u > 1.0 || v > 1.0)) {
                     result.at_border = true;
                     continue;
                 }
                 const std::uint32_t other = scene_.patch_at(surface, u, v, scene_.is_front(patch));
-                if (!is_joined(patch, other)) {
+                if (is_joined(patch, other))
+                    result.list[result.count++] = other;
+                else
                     result.at_border = true;
-                    continue;
-                }
-                result.list[result.count++] = other;
             }
         }
         return result;
@@ -160,30 +163,26 @@ private:
     /// The coordinate system of a patch: centroid and edges on the grid.
     struct Frame
     {
-        GridPlace centre;
-        GridPlace u;
-        GridPlace v;
+        Vec3 centre;
+        Vec3 u;
+        Vec3 v;
 
-        explicit Frame(const CellCorners& corners) : centre(centre_of(corners))
+        explicit Frame(const CellCorners& corners)
+            : centre(centre_of(corners)),
+              u(place_of(corners.points[1]) - place_of(corners.points[0])),
+              v(place_of(corners.points[corners.count - 1]) - place_of(corners.points[0]))
         {
-            const GridPoint a = corners.points[0];
-            const GridPoint b = corners.points[1];
-            const GridPoint c = corners.points[corners.count - 1];
-            u = {static_cast<double>(b.i) - a.i, static_cast<double>(b.j) - a.j};
-            v = {static_cast<double>(c.i) - a.i, static_cast<double>(c.j) - a.j};
         }
         /// The vector from the centroid to a point of the grid, in the coordinates of the patch.
-        Way way(GridPlace to) const
+        Vec3 way(Vec3 to) const
         {
-            const double det = u.i * v.j - u.j * v.i;
-            const double di = to.i - centre.i;
-            const double dj = to.j - centre.j;
-            return {(di * v.j - dj * v.i) / det, (u.i * dj - u.j * di) / det};
+            const double det = cross(u, v).z;
+            return {cross(to - centre, v).z / det, cross(u, to - centre).z / det, 0.0};
         }
         /// Change of a function with this slope over a step on the grid.
-        Rgb change(const PatchSlope& slope, GridPlace step) const
+        Rgb change(const PatchSlope& slope, Vec3 step) const
         {
-            const Way there = way({centre.i + step.i, centre.j + step.j});
+            const Vec3 there = way(centre + step);
             return there.x * slope.along_u + there.y * slope.along_v;
         }
     };
@@ -204,13 +203,13 @@ private:
         Rgb low;
         Rgb high;
         for (const std::uint32_t other : around) {
-            const Way way = frame.way(Frame(scene_.corners(other)).centre);
+            const Vec3 way = frame.way(centre_of(scene_.corners(other)));
             const Rgb more = patches_.value(other) - own;
             moments.add(way);
             x_value += way.x * more;
             y_value += way.y * more;
-            low = {std::min(low.r, more.r), std::min(low.g, more.g), std::min(low.b, more.b)};
-            high = {std::max(high.r, more.r), std::max(high.g, more.g), std::max(high.b, more.b)};
+            low = by_channel([](double a, double b) { return std::min(a, b); }, low, more);
+            high = by_channel([](double a, double b) { return std::max(a, b); }, high, more);
         }
         if (moments.on_one_line()) {
             const double scale = 1.0 / (moments.trace() * moments.trace());
@@ -224,31 +223,12 @@ private:
         // The limiter keeps the function halfway to each neighbour within the range of the values.
         Rgb factor = {1.0, 1.0, 1.0};
         for (const std::uint32_t other : around) {
-            const Way way = frame.way(Frame(scene_.corners(other)).centre);
+            const Vec3 way = frame.way(centre_of(scene_.corners(other)));
             const Rgb change = 0.5 * (way.x * slope.along_u + way.y * slope.along_v);
-            factor.r = std::min(factor.r, within(change.r, low.r, high.r));
-            factor.g = std::min(factor.g, within(change.g, low.g, high.g));
-            factor.b = std::min(factor.b, within(change.b, low.b, high.b));
+            factor = by_channel([](double a, double b) { return std::min(a, b); }, factor,
+                                 by_channel(within, change, low, high));
         }
         return {factor * slope.along_u, factor * slope.along_v};
-    }
-
-    /// Factor in [0, 1] that brings a change into [low, high].
-    static double within(double change, double low, double high)
-    {
-        return change > high ? high / change : change < low ? low / change : 1.0;
-    }
-
-    /// Slope at a border patch by linear extrapolation of the slope, as of a quadratic function: `own` is the slope
-    /// half a step inside, `inner` that a whole step inside. The result is limited to between 0 and twice `inner`.
-    static double at_end(double own, double inner)
-    {
-        const double slope = 2.0 * own - inner;
-        return inner > 0.0 ? std::clamp(slope, 0.0, 2.0 * inner) : std::clamp(slope, 2.0 * inner, 0.0);
-    }
-    static Rgb at_end(Rgb own, Rgb inner)
-    {
-        return {at_end(own.r, inner.r), at_end(own.g, inner.g), at_end(own.b, inner.b)};
     }
 
     /// Extrapolated slope of a patch at a border. If all neighbours lie on one line, the slope across it is the mean of
@@ -272,8 +252,8 @@ private:
         const PatchSlope& own = fits[patch];
         if (!moments.on_one_line())
             return {at_end(own.along_u, theirs.along_u), at_end(own.along_v, theirs.along_v)};
-        const Way line = frame.way(Frame(scene_.corners(around.list[0])).centre);
-        const double square = line.x * line.x + line.y * line.y;
+        const Vec3 line = frame.way(centre_of(scene_.corners(around.list[0])));
+        const double square = dot(line, line);
         const Rgb its = line.x * theirs.along_u + line.y * theirs.along_v;
         const Rgb change = at_end(line.x * own.along_u + line.y * own.along_v, its) - its;
         return {theirs.along_u + (line.x / square) * change, theirs.along_v + (line.y / square) * change};
@@ -289,10 +269,10 @@ private:
         double sum = 0.0;
         for (const std::uint32_t other : around) {
             const Frame its(scene_.corners(other));
-            const GridPlace step = {its.centre.i - frame.centre.i, its.centre.j - frame.centre.j};
-            const Way way = frame.way(its.centre);
+            const Vec3 step = its.centre - frame.centre;
+            const Vec3 way = frame.way(its.centre);
             const Rgb turn = its.change(slopes[other], step) - frame.change(slopes[patch], step);
-            const double square = way.x * way.x + way.y * way.y;
+            const double square = dot(way, way);
             sum += mean(turn * turn) / (square * square);
         }
         // Towards an edge of the room radiosity behaves like x log x, so that the extrapolated slope is too small.

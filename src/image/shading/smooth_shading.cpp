@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -18,16 +20,11 @@ namespace {
 /// channels.
 constexpr double darkest_texture = 1e-6;
 
-/// [W/m^2] Irradiance; 0 if it is unknown.
-double light_on(double reflected, double reflectance)
-{
-    return reflectance > darkest_texture ? reflected / reflectance : 0.0;
-}
-
+/// [W/m^2] Irradiance; 0 where it is unknown.
 Rgb light_on(Rgb reflected, Rgb reflectance)
 {
-    return {light_on(reflected.r, reflectance.r), light_on(reflected.g, reflectance.g),
-            light_on(reflected.b, reflectance.b)};
+    return by_channel([](double b, double rho) { return rho > darkest_texture ? b / rho : 0.0; }, reflected,
+                       reflectance);
 }
 
 } // namespace
@@ -40,14 +37,11 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
         if (!scene.is_textured(scene.surface_of(i)))
             continue;
         const Rgb rho = scene.reflectance(i);
-        const Rgb reflected = radiosity[i] - scene.emittance(i);
-        Rgb light = light_on(reflected, rho);
-        const double known = (rho.r > darkest_texture ? 1.0 : 0.0) + (rho.g > darkest_texture ? 1.0 : 0.0) +
-                             (rho.b > darkest_texture ? 1.0 : 0.0);
-        const double usual = known > 0.0 ? (light.r + light.g + light.b) / known : 0.0;
-        light = {rho.r > darkest_texture ? light.r : usual, rho.g > darkest_texture ? light.g : usual,
-                 rho.b > darkest_texture ? light.b : usual};
-        radiosity[i] = scene.emittance(i) + scene.material_of(i).reflectance * light;
+        const Rgb light = light_on(radiosity[i] - scene.emittance(i), rho);
+        const Rgb unknown = by_channel([](double r) { return r > darkest_texture ? 0.0 : 1.0; }, rho);
+        const double known_channels = 3.0 - (unknown.r + unknown.g + unknown.b);
+        const double usual = quotient(light.r + light.g + light.b, known_channels);
+        radiosity[i] = scene.emittance(i) + scene.material_of(i).reflectance * (light + usual * unknown);
     }
     return radiosity;
 }
@@ -61,6 +55,7 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
 namespace {
 
 constexpr std::size_t most_joined = 1000; // more groups at one position are not joined, to bound the time
+constexpr std::uint64_t strips_together = 16;
 
 /// A group that may coincide with groups of other surfaces.
 struct BorderGroup
@@ -83,34 +78,24 @@ struct Strip
     std::uint32_t end_row;
 };
 
-/// The sides of the chosen surfaces as strips, in blocks of similar size for parallel work.
-template <class Choice>
-std::vector<std::vector<Strip>> strips_of(const Scene& scene, const Choice& chosen)
+/// The sides of the surfaces for which `chosen` is not 0, cut into strips of similar size for parallel work.
+std::vector<Strip> strips_of(const Scene& scene, const std::vector<char>& chosen)
 {
     constexpr std::uint64_t corners_together = 4096;
-    std::vector<std::vector<Strip>> blocks;
-    std::uint64_t corners = corners_together; // number in the last block
+    std::vector<Strip> strips;
     for (const bool front : {true, false})
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if (!(front || scene.two_sided()) || !chosen(surface))
+            if (!(front || scene.two_sided()) || chosen[surface] == 0)
                 continue;
             const Tessellation& cut = scene.tessellation(surface);
-            const std::uint32_t all_rows = cut.grid_v() + 1;
-            const auto rows_together =
-                cut.trees
-                    ? all_rows
-                    : static_cast<std::uint32_t>(std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull)));
-            for (std::uint32_t row = 0; row < all_rows; row += std::min(rows_together, all_rows - row)) {
-                const std::uint32_t rows = std::min(rows_together, all_rows - row);
-                if (corners >= corners_together) {
-                    blocks.emplace_back();
-                    corners = 0;
-                }
-                blocks.back().push_back({surface, front, row, row + rows});
-                corners += cut.trees ? cut.cell_count() : rows * (cut.cells_u + 1ull);
-            }
+            const std::uint64_t end = cut.grid_v() + 1ull;
+            const std::uint64_t rows =
+                cut.trees ? end : std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull));
+            for (std::uint64_t row = 0; row < end; row += rows)
+                strips.push_back({surface, front, static_cast<std::uint32_t>(row),
+                                  static_cast<std::uint32_t>(std::min(end, row + rows))});
         }
-    return blocks;
+    return strips;
 }
 
 /// The surfaces that are not shown but have a corner on their border that coincides with one of `borders`.
@@ -138,14 +123,6 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
             result[surface] = coincides(surface, true) || (scene.two_sided() && coincides(surface, false)) ? 1 : 0;
     });
     return result;
-}
-
-/// Value of a group in a region of needles: the fitted value, or its own if there is none.
-Rgb value_in_region(const FlatRegions& regions, const CornerGroup& group, bool front)
-{
-    if (group.points.empty())
-        return group.value;
-    return regions.value(group.surface, front, group.corner, group.points.front()).value_or(group.value);
 }
 
 /// True if some point of one group is not occluded from some point of the other.
@@ -202,10 +179,7 @@ struct SortedGroup
     std::size_t slot; ///< breaks ties, so that sums do not depend on the sorting algorithm
     const CornerGroup* group;
 
-    bool operator<(const SortedGroup& other) const
-    {
-        return key < other.key || (key == other.key && slot < other.slot);
-    }
+    bool operator<(const SortedGroup& other) const { return std::tie(key, slot) < std::tie(other.key, other.slot); }
 };
 
 /// Joins coinciding groups of different surfaces. Calls put(group, value) for each group whose value changes.
@@ -307,35 +281,35 @@ void SmoothShading::find_corners(const VisiblePatches& patches, const std::vecto
     const FlatRegions regions(patches, threads);
     std::vector<std::vector<BorderGroup>> borders;
     std::vector<std::vector<CornerGroup>> on_edges;
-    const auto add = [&](const auto& chosen) {
-        const std::vector<std::vector<Strip>> blocks = strips_of(scene, chosen);
-        const std::size_t first = borders.size();
-        borders.resize(first + blocks.size());
-        on_edges.resize(first + blocks.size());
-        parallel_blocks(blocks.size(), threads, [&](std::uint64_t block) {
-            for (const Strip& strip : blocks[block]) {
-                const bool in_region = regions.contains(strip.surface);
-                for (CornerGroup& group : corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row,
-                                                        strip.end_row, in_region)) {
-                    if (in_region)
-                        group.value = value_in_region(regions, group, strip.front);
-                    put(group, group.value);
-                    if (group.edge)
-                        on_edges[first + block].push_back(group);
-                    if (group.on_border)
-                        borders[first + block].push_back(
-                            {border_key(scene, strip.surface, strip.front, group.corner), std::move(group)});
-                }
-            }
+    const auto add_strip = [&](const Strip& strip, std::vector<BorderGroup>& border,
+                               std::vector<CornerGroup>& on_edge) {
+        const bool in_region = regions.contains(strip.surface);
+        for (CornerGroup& group :
+             corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row, strip.end_row, in_region)) {
+            if (in_region && !group.points.empty())
+                group.value =
+                    regions.value(strip.surface, strip.front, group.corner, group.points.front()).value_or(group.value);
+            put(group, group.value);
+            if (group.edge)
+                on_edge.push_back(group);
+            if (group.on_border)
+                border.push_back({border_key(scene, strip.surface, strip.front, group.corner), std::move(group)});
+        }
+    };
+    const auto add = [&](const std::vector<char>& chosen) {
+        const std::vector<Strip> strips = strips_of(scene, chosen);
+        const Blocks blocks = {strips.size(), strips_together};
+        const std::size_t before = borders.size();
+        borders.resize(before + blocks.count());
+        on_edges.resize(before + blocks.count());
+        parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
+            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k)
+                add_strip(strips[k], borders[before + block], on_edges[before + block]);
         });
     };
-    if (shown.empty()) {
-        add([](std::uint32_t) { return true; });
-    } else {
-        add([&](std::uint32_t surface) { return shown[surface] != 0; });
-        const std::vector<char> beside = surfaces_beside(scene, shown, borders, threads);
-        add([&](std::uint32_t surface) { return beside[surface] != 0; });
-    }
+    add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
+    if (!shown.empty())
+        add(surfaces_beside(scene, shown, borders, threads));
     join_borders(scene, borders, threads, put);
     interpolate_hanging_nodes(on_edges, corners_);
 }

@@ -4,8 +4,7 @@
 
 #include "image/shading/visible_patches.h"
 
-#include "geometry/intersector/hit_lists.h"
-#include "geometry/intersector/intersector.h"
+#include "image/ray_fan.h"
 #include "parallel/blocks.h"
 #include "scene/tessellation.h"
 
@@ -14,6 +13,7 @@
 #include <bitset>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace multipath {
 
@@ -48,46 +48,29 @@ std::array<Vec3, 5> test_directions(const Surface& shape)
             normal - 0.6 * aside - 0.8 * along, normal + 0.8 * aside - 0.6 * along};
 }
 
-/// Finds the open sample points of patches. Holds reusable buffers: one object per thread.
-class OpenPoints
+/// One bit for each of along * along sample points, set if is_covered() is false there. `fan`: reusable buffers.
+std::uint64_t open_points(const Scene& scene, const Patch& patch, std::uint32_t along, RayFan& fan)
 {
-public:
-    explicit OpenPoints(const Scene& scene) : scene_(scene) {}
-
-    /// One bit for each of along * along sample points, set if the point is open.
-    std::uint64_t of_patch(std::uint32_t patch, std::uint32_t along)
-    {
-        const Patch place = scene_.patch(patch);
-        points_.clear();
-        for (std::uint32_t n = 0; n < along * along; ++n)
-            points_.push_back(n);
-        for (const Vec3 direction : test_directions(place.shape)) {
-            from_.assign(points_.size(), place.surface);
-            rays_.clear();
-            for (const std::uint32_t n : points_)
-                rays_.push_back({sample_point(place.shape, along, n), direction});
-            scene_.intersector().closest_hits_from(from_.data(), rays_.data(), rays_.size(), hits_);
-            std::size_t kept = 0;
-            for (std::size_t k = 0; k < points_.size(); ++k)
-                if (hits_.is_hit(k) && is_closed_in(scene_, hits_[k]))
-                    points_[kept++] = points_[k];
-            points_.resize(kept);
-            if (points_.empty())
-                break;
-        }
-        std::uint64_t open = ~std::uint64_t{0} >> (64 - along * along);
-        for (const std::uint32_t covered : points_)
-            open &= ~(std::uint64_t{1} << covered);
-        return open;
+    std::vector<std::uint32_t> covered(along * along); // in all directions so far
+    std::iota(covered.begin(), covered.end(), 0u);
+    for (const Vec3 direction : test_directions(patch.shape)) {
+        fan.rays.clear();
+        for (const std::uint32_t n : covered)
+            fan.rays.push_back({sample_point(patch.shape, along, n), direction});
+        const FirstHits& hits = fan.trace(scene, patch.surface);
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < covered.size(); ++k)
+            if (hits.is_hit(k) && is_closed_in(scene, hits[k]))
+                covered[kept++] = covered[k];
+        covered.resize(kept);
+        if (covered.empty())
+            break;
     }
-
-private:
-    const Scene& scene_;
-    std::vector<std::uint32_t> points_; ///< indices of points that were covered in all directions so far
-    std::vector<std::uint32_t> from_;   ///< the surface of each ray's origin
-    std::vector<Line> rays_;
-    FirstHits hits_;
-};
+    std::uint64_t open = ~std::uint64_t{0} >> (64 - along * along);
+    for (const std::uint32_t n : covered)
+        open &= ~(std::uint64_t{1} << n);
+    return open;
+}
 
 } // namespace
 
@@ -110,11 +93,11 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
 {
     constexpr std::uint32_t patches_at_a_time = 64;
     parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        OpenPoints points(scene);
+        RayFan fan;
         for (std::uint32_t i = first; i < end; ++i)
             // A single sample point would not do: the patch would be open or covered as a whole.
             if (const std::uint32_t along = samples_along(i); along > 1)
-                open_[i] = points.of_patch(i, along);
+                open_[i] = open_points(scene, scene.patch(i), along, fan);
     });
 }
 
