@@ -163,16 +163,17 @@ public:
 
 protected:
     /// Writes or reads an array of `length` elements. read() throws ArchiveError if the array is missing, or has
-    /// another element type or length.
-    virtual void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) = 0;
-    virtual void read(const std::string& name, Scalar scalar, void* data, std::size_t length) = 0;
+    /// another element type or length. An archive overrides write(), or the functions that read.
+    virtual void write(const std::string&, Scalar, const void*, std::size_t) { throw misused(); }
+    virtual void read(const std::string&, Scalar, void*, std::size_t) { throw misused(); }
     /// Only for reading: true if the archive contains the array.
-    virtual bool holds(const std::string& name) const = 0;
+    virtual bool holds(const std::string&) const { throw misused(); }
     /// Only for reading: number of elements of an array. Throws ArchiveError if the array is missing or has another
     /// element type.
-    virtual std::size_t length(const std::string& name, Scalar scalar) = 0;
+    virtual std::size_t length(const std::string&, Scalar) { throw misused(); }
 
 private:
+    static std::logic_error misused() { return std::logic_error("an archive that only reads or only writes"); }
     std::string full_name(std::string_view name) const { return prefix_ + std::string(name); }
 
     template <class Number, class Value>

@@ -137,16 +137,13 @@ void add_view(const Scene& scene, const Camera& camera, double aspect, std::vect
 {
     constexpr int rows = 256;
     const int columns = std::clamp(static_cast<int>(aspect * rows), 1, 4096);
-    const PixelRays rays(camera, columns, rows);
-    VisibleHits visible(scene);
-    for (int y = 0; y < rows; ++y)
-        for_each_visible(rays, columns, y, visible, [&](int, const std::optional<Hit>& hit) {
-            if (!hit)
-                return;
-            const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
-            if (patch != Scene::no_patch)
-                weight[patch] += 1.0 / scene.area(patch);
-        });
+    for (const std::optional<Hit>& hit : visible_hits(scene, PixelRays(camera, columns, rows), 1)) {
+        if (!hit)
+            continue;
+        const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+        if (patch != Scene::no_patch)
+            weight[patch] += 1.0 / scene.area(patch);
+    }
 }
 
 std::vector<double> weight_of_views(const Scene& scene, const PictureOptions& pictures)

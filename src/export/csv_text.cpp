@@ -22,16 +22,121 @@ class CsvParser
 {
 public:
     CsvParser(std::string_view text, const std::string& path) : text_(text), path_(path) {}
-    CsvTable parse();
+
+    CsvTable parse()
+    {
+        CsvTable table;
+        table.path = path_;
+        while (at('#'))
+            table.comments.push_back(comment());
+        table.header = header();
+        const std::size_t columns = table.header.fields.size();
+        while (!ended()) {
+            CsvRow next = row(columns);
+            if (next.fields.size() != columns)
+                refuse(table.place(next), is_empty_line(next)
+                                              ? "empty line, expected a row of " + counted(columns, "field")
+                                              : "row has " + counted(next.fields.size(), "field") + ", expected " +
+                                                    std::to_string(columns) + " as in the header");
+            table.rows.push_back(std::move(next));
+        }
+        return table;
+    }
 
 private:
-    std::string comment();
-    CsvRow header();
-    CsvRow row(std::size_t fields_to_expect);
-    std::string plain_field();
-    std::string quoted_field();
-    void require_text(char c) const;
-    bool take_line_end();
+    std::string comment()
+    {
+        ++next_;
+        if (at(' '))
+            ++next_;
+        const std::size_t begin = next_;
+        for (; !ended() && !at_line_end(); ++next_)
+            require_text(text_[next_]);
+        const std::string_view words = text_.substr(begin, next_ - begin);
+        take_line_end();
+        return std::string(words);
+    }
+
+    CsvRow header()
+    {
+        if (ended())
+            refuse(place(), "the file ends here, expected a header with the names of the columns");
+        CsvRow names = row(0);
+        if (is_empty_line(names))
+            refuse({path_, names.line}, "empty line, expected the names of the columns");
+        std::vector<std::string> sorted = names.fields;
+        std::sort(sorted.begin(), sorted.end());
+        const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+        if (twin != sorted.end())
+            refuse({path_, names.line}, "two columns are named " + in_quotes(*twin) + ", expected different names");
+        return names;
+    }
+
+    CsvRow row(std::size_t fields_to_expect)
+    {
+        CsvRow row;
+        row.fields.reserve(fields_to_expect);
+        row.line = line_;
+        for (;;) {
+            row.fields.push_back(at('"') ? quoted_field() : plain_field());
+            if (ended() || take_line_end())
+                return row;
+            if (!at(','))
+                refuse(place(), "text after a closing quote, expected a comma or the end of the line");
+            ++next_;
+        }
+    }
+
+    std::string plain_field()
+    {
+        const std::size_t begin = next_;
+        for (; !ended() && !at(',') && !at_line_end(); ++next_) {
+            require_text(text_[next_]);
+            if (at('"'))
+                refuse(place(), "quote inside a field, expected the whole field in quotes and this one doubled");
+        }
+        return std::string(text_.substr(begin, next_ - begin));
+    }
+
+    std::string quoted_field()
+    {
+        const TextLocation opening = place();
+        std::string field;
+        do {
+            ++next_; // the opening quote, or the second of a doubled quote
+            const std::size_t begin = next_;
+            for (; !ended() && !at('"'); ++next_) {
+                if (at('\n'))
+                    ++line_;
+                else if (!at_line_end())
+                    require_text(text_[next_]);
+            }
+            if (ended())
+                refuse(opening, "quote without end, expected a closing quote before the end of the file");
+            field += text_.substr(begin, next_ - begin);
+            ++next_;
+            if (at('"'))
+                field += '"';
+        } while (at('"'));
+        return field;
+    }
+
+    void require_text(char c) const
+    {
+        if (c == '\r')
+            refuse(place(), "carriage return inside a line, expected lines that end in LF or CRLF");
+        if (static_cast<unsigned char>(c) < ' ' && !is_blank(c))
+            refuse(place(), "control character, expected a text file (is it binary or damaged?)");
+    }
+
+    bool take_line_end()
+    {
+        if (!at_line_end())
+            return false;
+        next_ += at('\r') ? 2 : 1;
+        ++line_;
+        return true;
+    }
 
     bool ended() const { return next_ == text_.size(); }
     bool at(char c) const { return !ended() && text_[next_] == c; }
@@ -43,120 +148,6 @@ private:
     std::size_t next_ = 0;
     std::uint32_t line_ = 1;
 };
-
-CsvTable CsvParser::parse()
-{
-    CsvTable table;
-    table.path = path_;
-    while (at('#'))
-        table.comments.push_back(comment());
-    table.header = header();
-    const std::size_t columns = table.header.fields.size();
-    while (!ended()) {
-        CsvRow next = row(columns);
-        if (next.fields.size() != columns)
-            refuse(table.place(next), is_empty_line(next)
-                                          ? "empty line, expected a row of " + counted(columns, "field")
-                                          : "row has " + counted(next.fields.size(), "field") + ", expected " +
-                                                std::to_string(columns) + " as in the header");
-        table.rows.push_back(std::move(next));
-    }
-    return table;
-}
-
-std::string CsvParser::comment()
-{
-    ++next_;
-    if (at(' '))
-        ++next_;
-    const std::size_t begin = next_;
-    for (; !ended() && !at_line_end(); ++next_)
-        require_text(text_[next_]);
-    const std::string_view words = text_.substr(begin, next_ - begin);
-    take_line_end();
-    return std::string(words);
-}
-
-CsvRow CsvParser::header()
-{
-    if (ended())
-        refuse(place(), "the file ends here, expected a header with the names of the columns");
-    CsvRow names = row(0);
-    if (is_empty_line(names))
-        refuse({path_, names.line}, "empty line, expected the names of the columns");
-    std::vector<std::string> sorted = names.fields;
-    std::sort(sorted.begin(), sorted.end());
-    const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twin != sorted.end())
-        refuse({path_, names.line}, "two columns are named " + in_quotes(*twin) + ", expected different names");
-    return names;
-}
-
-CsvRow CsvParser::row(std::size_t fields_to_expect)
-{
-    CsvRow row;
-    row.fields.reserve(fields_to_expect);
-    row.line = line_;
-    for (;;) {
-        row.fields.push_back(at('"') ? quoted_field() : plain_field());
-        if (ended() || take_line_end())
-            return row;
-        if (!at(','))
-            refuse(place(), "text after a closing quote, expected a comma or the end of the line");
-        ++next_;
-    }
-}
-
-std::string CsvParser::plain_field()
-{
-    const std::size_t begin = next_;
-    for (; !ended() && !at(',') && !at_line_end(); ++next_) {
-        require_text(text_[next_]);
-        if (at('"'))
-            refuse(place(), "quote inside a field, expected the whole field in quotes and this one doubled");
-    }
-    return std::string(text_.substr(begin, next_ - begin));
-}
-
-std::string CsvParser::quoted_field()
-{
-    const TextLocation opening = place();
-    std::string field;
-    do {
-        ++next_; // the opening quote, or the second of a doubled quote
-        const std::size_t begin = next_;
-        for (; !ended() && !at('"'); ++next_) {
-            if (at('\n'))
-                ++line_;
-            else if (!at_line_end())
-                require_text(text_[next_]);
-        }
-        if (ended())
-            refuse(opening, "quote without end, expected a closing quote before the end of the file");
-        field += text_.substr(begin, next_ - begin);
-        ++next_;
-        if (at('"'))
-            field += '"';
-    } while (at('"'));
-    return field;
-}
-
-void CsvParser::require_text(char c) const
-{
-    if (c == '\r')
-        refuse(place(), "carriage return inside a line, expected lines that end in LF or CRLF");
-    if (static_cast<unsigned char>(c) < ' ' && !is_blank(c))
-        refuse(place(), "control character, expected a text file (is it binary or damaged?)");
-}
-
-bool CsvParser::take_line_end()
-{
-    if (!at_line_end())
-        return false;
-    next_ += at('\r') ? 2 : 1;
-    ++line_;
-    return true;
-}
 
 } // namespace
 

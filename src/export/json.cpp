@@ -2,10 +2,8 @@
 
 #include "base/text_format.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 

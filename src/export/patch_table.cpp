@@ -1,6 +1,5 @@
 #include "export/patch_table.h"
 
-#include "base/memory.h"
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
 
@@ -43,15 +42,14 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
     std::string material;
     std::string normal;
     std::uint32_t next_side = first;
-    // These differ within a side only where it has a texture.
+    // These seldom change from patch to patch.
     std::string constants;
     Rgb reflectance;
     Rgb emittance;
     for (std::uint32_t i = first; i < end; ++i) {
         const Patch patch = scene.patch(i);
         if (i == next_side) {
-            const bool front = scene.is_front(i);
-            next_side = scene.first_patch(patch.surface, front) +
+            next_side = scene.first_patch(patch.surface, scene.is_front(i)) +
                         static_cast<std::uint32_t>(scene.tessellation(patch.surface).cell_count());
             material = csv_field(scene.material_of(i).name);
             normal.clear();
@@ -93,15 +91,7 @@ std::string patch_table(const Scene& scene, const std::vector<Rgb>& radiosity, c
             parts[slot] = rows(scene, radiosity, standard_error, static_cast<std::uint32_t>(blocks.first(block)),
                                static_cast<std::uint32_t>(blocks.first(block + 1)));
         },
-        [&](std::uint64_t block, int slot) {
-            const std::size_t needed = table.size() + parts[slot].size();
-            if (needed > table.capacity()) { // extrapolates the length of the table from the blocks so far
-                const double blocks_left = static_cast<double>(blocks.count() - block) / static_cast<double>(block + 1);
-                table.reserve(needed + static_cast<std::size_t>(1.1 * blocks_left * static_cast<double>(needed)));
-                ask_for_huge_pages(table.data(), table.capacity());
-            }
-            table += parts[slot];
-        });
+        [&](std::uint64_t, int slot) { table += parts[slot]; });
     return table;
 }
 
@@ -147,12 +137,12 @@ std::uint32_t read_surface(const CsvTable& table, const CsvRow& row, std::size_t
     return surface;
 }
 
-double read_area(const CsvTable& table, const CsvRow& row, std::size_t column)
+double read_not_negative(const CsvTable& table, const CsvRow& row, std::size_t column)
 {
-    const double area = table.number(row, column);
-    if (!(area >= 0.0))
+    const double number = table.number(row, column);
+    if (!(number >= 0.0))
         refuse_field(table, row, column, "0 or more");
-    return area;
+    return number;
 }
 
 /// Reads a Vec3 or an Rgb.
@@ -162,43 +152,31 @@ Three read_three(const CsvTable& table, const CsvRow& row, const ThreeColumns& c
     return {table.number(row, columns[0]), table.number(row, columns[1]), table.number(row, columns[2])};
 }
 
-Rgb read_error(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
+/// The columns of the radiosity: one per channel, or `radiosity` for all of them if `grey` is true and there is one.
+ThreeColumns radiosity_columns(const CsvTable& table, bool grey)
 {
-    for (const std::size_t column : columns)
-        if (table.number(row, column) < 0.0)
-            refuse_field(table, row, column, "0 or more");
-    return read_three<Rgb>(table, row, columns);
-}
-
-/// The columns of the radiosity: `radiosity` for all channels, or one column per channel.
-ThreeColumns radiosity_columns(const CsvTable& table)
-{
-    if (const std::optional<std::size_t> grey = table.find_column("radiosity"))
-        return {*grey, *grey, *grey};
+    if (const std::optional<std::size_t> all = table.find_column("radiosity"); grey && all)
+        return {*all, *all, *all};
     return columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
 }
 
-/// Reads a table that has only radiosity and, if known, its standard error; takes all else from `beside`.
-PatchTable read_radiosity(const CsvTable& table, const PatchTable& beside)
+/// Reads all columns but the patch, the radiosity and its standard error.
+void read_geometry(const CsvTable& table, PatchTable& patches)
 {
-    const std::size_t patch = table.column("patch");
-    const ThreeColumns radiosity = radiosity_columns(table);
-    const std::optional<ThreeColumns> error = error_columns(table);
-    PatchTable patches = beside;
-    patches.path = table.path;
-    patches.comments = table.comments;
-    patches.radiosity.clear();
-    patches.standard_error.clear();
+    const std::size_t surface = table.column("surface");
+    const std::size_t material = table.column("material");
+    const ThreeColumns centre = columns_named(table, {"x", "y", "z"});
+    const std::size_t area = table.column("area");
+    double whole_area = 0.0;
     for (const CsvRow& row : table.rows) {
-        require_patch(table, row, patch, patches.radiosity.size());
-        patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
-        if (error)
-            patches.standard_error.push_back(read_error(table, row, *error));
+        patches.surfaces.push_back(read_surface(table, row, surface));
+        patches.materials.push_back(row.fields[material]);
+        patches.centres.push_back(read_three<Vec3>(table, row, centre));
+        patches.areas.push_back(read_not_negative(table, row, area));
+        whole_area += patches.areas.back();
     }
-    if (patches.radiosity.size() != beside.areas.size())
-        refuse(table.place(table.header), std::to_string(patches.radiosity.size()) + " patches, expected " +
-                                              std::to_string(beside.areas.size()) + " as in " + beside.path);
-    return patches;
+    if (!(whole_area > 0.0))
+        refuse(table.place(table.header), "all areas are 0, expected a patch with an area");
 }
 
 } // namespace
@@ -206,34 +184,31 @@ PatchTable read_radiosity(const CsvTable& table, const PatchTable& beside)
 PatchTable read_patch_table(const std::string& path, const PatchTable* beside)
 {
     const CsvTable table = read_csv(path);
-    if (beside && !table.find_column("area"))
-        return read_radiosity(table, *beside);
+    const bool bare = beside && !table.find_column("area");
     const std::size_t patch = table.column("patch");
-    const std::size_t surface = table.column("surface");
-    const std::size_t material = table.column("material");
-    const ThreeColumns centre = columns_named(table, {"x", "y", "z"});
-    const std::size_t area = table.column("area");
-    const ThreeColumns radiosity = columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
+    const ThreeColumns radiosity = radiosity_columns(table, bare);
     const std::optional<ThreeColumns> error = error_columns(table);
     if (table.rows.empty())
         refuse(table.place(table.header), "no rows after the header, expected one per patch");
-    double whole_area = 0.0;
-    PatchTable patches;
+    PatchTable patches = bare ? *beside : PatchTable{};
     patches.path = path;
     patches.comments = table.comments;
+    patches.radiosity.clear();
+    patches.standard_error.clear();
     for (const CsvRow& row : table.rows) {
-        require_patch(table, row, patch, patches.areas.size());
-        patches.surfaces.push_back(read_surface(table, row, surface));
-        patches.materials.push_back(row.fields[material]);
-        patches.centres.push_back(read_three<Vec3>(table, row, centre));
-        patches.areas.push_back(read_area(table, row, area));
-        whole_area += patches.areas.back();
+        require_patch(table, row, patch, patches.radiosity.size());
         patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
-        if (error)
-            patches.standard_error.push_back(read_error(table, row, *error));
+        if (error) {
+            for (const std::size_t column : *error)
+                read_not_negative(table, row, column);
+            patches.standard_error.push_back(read_three<Rgb>(table, row, *error));
+        }
     }
-    if (!(whole_area > 0.0))
-        refuse(table.place(table.header), "all areas are 0, expected a patch with an area");
+    if (!bare)
+        read_geometry(table, patches);
+    else if (patches.radiosity.size() != beside->areas.size())
+        refuse(table.place(table.header), std::to_string(patches.radiosity.size()) + " patches, expected " +
+                                              std::to_string(beside->areas.size()) + " as in " + beside->path);
     return patches;
 }
 

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -35,9 +35,9 @@ std::uint64_t word_at(const char* bytes)
 
 std::string word_bytes(std::uint64_t word)
 {
-    std::string bytes;
+    std::string bytes(word_size, '\0');
     for (std::size_t k = 0; k < word_size; ++k)
-        bytes += static_cast<char>(word >> (8 * k) & 0xffu);
+        bytes[k] = static_cast<char>(word >> (8 * k) & 0xffu);
     return bytes;
 }
 
@@ -126,29 +126,10 @@ void StateWriter::finish()
     sink_(word_bytes(checksum_));
 }
 
-void StateWriter::read(const std::string&, Scalar, void*, std::size_t)
-{
-    throw ArchiveError("a state that is being written cannot be read");
-}
-
-bool StateWriter::holds(const std::string&) const
-{
-    throw ArchiveError("a state that is being written cannot be read");
-}
-
-std::size_t StateWriter::length(const std::string&, Scalar)
-{
-    throw ArchiveError("a state that is being written cannot be read");
-}
-
 bool is_state_file(const std::string& path)
 {
     std::string start(state_kind.size(), '\0');
-    std::FILE* const file = std::fopen(path.c_str(), "rb");
-    if (!file)
-        return false;
-    start.resize(std::fread(start.data(), 1, start.size(), file));
-    std::fclose(file);
+    std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
     return start == state_kind;
 }
 
@@ -157,8 +138,7 @@ StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_s
 StateReader::StateReader(std::string name, FileBytes bytes)
     : Archive(true), name_(std::move(name)), bytes_(std::move(bytes))
 {
-    require_version();
-    require_checksum();
+    require_whole();
     find_arrays();
 }
 
@@ -174,7 +154,7 @@ std::uint64_t StateReader::word(std::size_t offset) const
     return word_at(bytes_.data() + offset);
 }
 
-void StateReader::require_version() const
+void StateReader::require_whole() const
 {
     const std::string_view start(bytes_.data(), std::min(bytes_.size(), state_header.size()));
     if (start.substr(0, state_kind.size()) != state_kind)
@@ -184,10 +164,6 @@ void StateReader::require_version() const
                std::string(
                    start.substr(state_kind.size(), start.find_first_of(" \n", state_kind.size()) - state_kind.size())) +
                "); expected format 1");
-}
-
-void StateReader::require_checksum() const
-{
     const std::size_t end = bytes_.size() - std::min(bytes_.size(), word_size);
     if (end % word_size != 0 || end < state_header.size() ||
         checksum(0, std::string_view(bytes_.data(), end)) != word(end))
@@ -264,11 +240,6 @@ bool StateReader::has_same(const StateReader& other, const std::string& name) co
            bytes_of(mine->second) == other.bytes_of(others->second);
 }
 
-void StateReader::write(const std::string&, Scalar, const void*, std::size_t)
-{
-    throw ArchiveError("a state that is being read cannot be written");
-}
-
 namespace {
 
 void visit_materials(Archive& archive, std::vector<Material>& materials)
@@ -298,9 +269,20 @@ void visit_surfaces(Archive& archive, SurfaceList& surfaces)
 
 // Checks of properties that scene readers guarantee and the program relies on.
 
+void require(bool sound, const std::string& problem)
+{
+    if (!sound)
+        throw ArchiveError("the state is damaged: " + problem);
+}
+
 bool all_within(std::initializer_list<double> values, double low, double high)
 {
     return std::all_of(values.begin(), values.end(), [&](double x) { return low <= x && x <= high; });
+}
+
+bool is_within(Rgb colour, double high)
+{
+    return all_within({colour.r, colour.g, colour.b}, 0.0, high);
 }
 
 bool is_sound(const Surface& surface)
@@ -313,31 +295,25 @@ bool is_sound(const Surface& surface)
 
 bool is_sound(const Material& material)
 {
-    const Rgb rho = material.reflectance;
-    const Rgb emittance = material.emittance;
-    return all_within({rho.r, rho.g, rho.b}, 0.0, 1.0) &&
-           all_within({emittance.r, emittance.g, emittance.b}, 0.0, 1e30);
+    return is_within(material.reflectance, 1.0) && is_within(material.emittance, 1e30);
 }
 
 bool is_sound(const Sun& sun)
 {
-    const Rgb e = sun.irradiance;
-    return all_within({length(sun.direction)}, 1.0 - 1e-9, 1.0 + 1e-9) && all_within({e.r, e.g, e.b}, 0.0, 1e30);
+    return all_within({length(sun.direction)}, 1.0 - 1e-9, 1.0 + 1e-9) && is_within(sun.irradiance, 1e30);
 }
 
 template <class List>
 void require_sound(const List& list)
 {
     for (const auto& element : list)
-        if (!is_sound(element))
-            throw ArchiveError("the state is damaged: no such surface or material");
+        require(is_sound(element), "no such surface or material");
 }
 
 void require_below(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 {
     for (const std::uint32_t number : numbers)
-        if (number >= limit)
-            throw ArchiveError("the state is damaged: no such material or group");
+        require(number < limit, "no such material or group");
 }
 
 using TextureList = std::vector<std::shared_ptr<const Texture>>;
@@ -351,8 +327,7 @@ TextureList textures_of(const std::string& names, const std::string& bytes, cons
     std::size_t name_begin = 0;
     for (std::size_t k = 0; k < lengths.size(); ++k) {
         const std::size_t name_end = names.find('\n', name_begin);
-        if (lengths[k] > bytes.size() - begin || name_end == std::string::npos)
-            throw ArchiveError("the state is damaged: a texture is not whole");
+        require(lengths[k] <= bytes.size() - begin && name_end != std::string::npos, "a texture is not whole");
         try {
             textures.push_back(std::make_shared<const Texture>(names.substr(name_begin, name_end - name_begin),
                                                                bytes.substr(begin, lengths[k]), repeats[k] != 0));
@@ -417,14 +392,12 @@ void visit_textures(Archive& archive, SceneFile& scene)
     archive.records(scene.materials, field<std::uint32_t>("material textures", &Material::texture),
                     field<double>("texture scales", &Material::texture_scale));
     visit_texture_frames(archive, scene.texture_frames);
-    if (scene.materials.size() != materials || scene.texture_frames.size() != scene.own_surfaces())
-        throw ArchiveError("the state is damaged: it has textures of other surfaces");
-    for (const Material& material : scene.materials) {
-        const Rgb scale = material.texture_scale;
-        if ((material.texture != Material::no_texture && material.texture >= scene.textures.size()) ||
-            !all_within({scale.r, scale.g, scale.b}, 0.0, 1.0))
-            throw ArchiveError("the state is damaged: no such texture");
-    }
+    require(scene.materials.size() == materials && scene.texture_frames.size() == scene.own_surfaces(),
+            "it has textures of other surfaces");
+    for (const Material& material : scene.materials)
+        require((material.texture == Material::no_texture || material.texture < scene.textures.size()) &&
+                    is_within(material.texture_scale, 1.0),
+                "no such texture");
 }
 
 } // namespace
@@ -446,13 +419,11 @@ void ArchivedScene::visit(Archive& archive)
     archive.list<std::uint32_t>("line", kept.line);
     std::vector<std::uint32_t> sky(kept.sky_surfaces > 0 ? 1 : 0, kept.sky_surfaces);
     archive.optional_list<std::uint32_t>("sky surfaces", sky);
-    if (sky.size() > 1 || (sky.size() == 1 && sky[0] >= kept.surfaces.size()))
-        throw ArchiveError("the state is damaged: no such sky");
+    require(sky.empty() || (sky.size() == 1 && sky[0] < kept.surfaces.size()), "no such sky");
     kept.sky_surfaces = sky.empty() ? 0 : sky[0];
     std::vector<Sun> sun(kept.sun ? 1 : 0, kept.sun.value_or(Sun{}));
     archive.optional_list<double>("sun", sun);
-    if (sun.size() > 1 || (sun.size() == 1 && !is_sound(sun[0])))
-        throw ArchiveError("the state is damaged: no such sun");
+    require(sun.empty() || (sun.size() == 1 && is_sound(sun[0])), "no such sun");
     kept.sun = sun.empty() ? std::nullopt : std::optional(sun[0]);
     std::vector<std::uint32_t> photometric(kept.photometric ? 1 : 0, 1u);
     archive.optional_list<std::uint32_t>("photometric", photometric);
@@ -487,8 +458,7 @@ Scene restored(const ArchivedScene& archived)
     const bool fits = whole ? sides * cells == patches
                             : cells > 0.0 && sides * cells <= patches &&
                                   sides * static_cast<double>(archived.levels.size()) == patches;
-    if (!fits) // checked before memory is allocated for them
-        throw ArchiveError("the state is damaged: its scene has other patches");
+    require(fits, "its scene has other patches"); // before memory is allocated for them
     Scene scene(archived.file, archived.patch_size, archived.two_sided != 0, 1);
     try {
         if (!whole)
@@ -496,8 +466,7 @@ Scene restored(const ArchivedScene& archived)
     } catch (const std::invalid_argument& error) {
         throw ArchiveError(std::string("the state is damaged: it has ") + error.what());
     }
-    if (scene.hash() != archived.hash)
-        throw ArchiveError("the state is damaged: its scene is not the one that was solved");
+    require(scene.hash() == archived.hash, "its scene is not the one that was solved");
     return scene;
 }
 

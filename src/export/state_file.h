@@ -16,7 +16,7 @@
 namespace multipath {
 
 /// Writes a state file: a checksummed container of named arrays (docs/builders/state_format.md). The same content gives
-/// the same bytes on every machine. An archive that only writes: read(), holds() and length() throw ArchiveError.
+/// the same bytes on every machine. An archive that only writes.
 class StateWriter : public Archive
 {
 public:
@@ -31,13 +31,9 @@ public:
 
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
-    void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
-    bool holds(const std::string& name) const override;
-    std::size_t length(const std::string& name, Scalar scalar) override;
-
-    void put(std::string_view bytes); ///< padded with zeros to a multiple of eight bytes
 
 private:
+    void put(std::string_view bytes); ///< padded with zeros to a multiple of eight bytes
     /// `bytes`: in little-endian order.
     void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
 
@@ -49,7 +45,7 @@ private:
 /// True if the file can be read and begins like a state file.
 bool is_state_file(const std::string& path);
 
-/// Reads the arrays of a state file. An archive that only reads: write() throws ArchiveError.
+/// Reads the arrays of a state file. An archive that only reads.
 class StateReader : public Archive
 {
 public:
@@ -69,7 +65,6 @@ public:
     bool has_same(const StateReader& other, const std::string& name) const;
 
 protected:
-    void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
     void read(const std::string& name, Scalar scalar, void* data, std::size_t length) override;
     bool holds(const std::string& name) const override;
     std::size_t length(const std::string& name, Scalar scalar) override;
@@ -84,8 +79,7 @@ private:
 
     [[noreturn]] void refuse(const std::string& problem) const;
     std::uint64_t word(std::size_t offset) const;
-    void require_version() const;
-    void require_checksum() const;
+    void require_whole() const;
     void find_arrays();
     const Array& array(const std::string& name, Scalar scalar) const;
     std::string_view bytes_of(const Array& array) const

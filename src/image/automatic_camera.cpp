@@ -18,10 +18,10 @@
 #include "sampling/warp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace multipath {
 
@@ -43,17 +43,20 @@ struct Room
         return (box.low.x + x * size.x) * axis_x + (box.low.y + y * size.y) * axis_y +
                (box.low.z + z * size.z) * axis_z;
     }
+    Vec3 centre() const { return at(0.5, 0.5, 0.5); }
     /// The coordinates of a point in these axes.
     Vec3 place_of(Vec3 point) const { return {dot(point, axis_x), dot(point, axis_y), dot(point, axis_z)}; }
     bool contains(Vec3 point) const { return overlap(box, {place_of(point), place_of(point)}); }
-    /// Axis-aligned bounding box of the room.
-    Bounds in_space() const
+    std::array<Vec3, 8> corners() const
+    {
+        return {at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(1, 1, 0), at(0, 0, 1), at(1, 0, 1), at(0, 1, 1), at(1, 1, 1)};
+    }
+    /// The bounding box of a surface in these axes.
+    Bounds box_of(const Surface& surface) const
     {
         Bounds result;
-        for (const double x : {0.0, 1.0})
-            for (const double y : {0.0, 1.0})
-                for (const double z : {0.0, 1.0})
-                    result.include(at(x, y, z));
+        for (const Vec3 corner : corners_of(surface))
+            result.include(place_of(corner));
         return result;
     }
 };
@@ -76,8 +79,7 @@ Room room_of(const Scene& scene, Vec3 up)
     room.axis_x = normalized(cross(room.axis_y, toward));
     room.axis_z = cross(room.axis_x, room.axis_y);
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
-            room.box.include(room.place_of(corner));
+        room.box.include(room.box_of(scene.surfaces()[s]));
     grow_if_flat(room.box);
     return room;
 }
@@ -85,19 +87,14 @@ Room room_of(const Scene& scene, Vec3 up)
 /// The part of a scene that rises above its ground; the whole scene if nothing does.
 Room above_ground(const Scene& scene, const Room& whole)
 {
-    std::vector<Bounds> boxes;
     Bounds all;
-    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s) {
-        boxes.emplace_back();
-        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
-            boxes.back().include(whole.place_of(corner));
-        all.include(boxes.back());
-    }
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        all.include(whole.box_of(scene.surfaces()[s]));
     const double level = all.low.y + 0.05 * all.size().y;
     Room room = whole;
     room.box = {};
-    for (const Bounds& box : boxes)
-        if (box.high.y > level)
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        if (const Bounds box = whole.box_of(scene.surfaces()[s]); box.high.y > level)
             room.box.include(box);
     if (room.box.empty())
         return whole;
@@ -160,7 +157,7 @@ std::optional<Room> room_around(const Scene& scene, const Room& whole, Vec3 poin
             box.include(place + sign * Vec3{*to_x, *to_y, *to_z});
         }
         room.box = box;
-        point = room.at(0.5, 0.5, 0.5);
+        point = room.centre();
     }
     grow_if_flat(room.box);
     return room;
@@ -217,27 +214,31 @@ double field_of_view(double vertical, double widest, double aspect)
     return std::min(vertical, from_width);
 }
 
-/// Appends cameras along the walls and in the corners that look across the room.
-void append_inside(const Room& room, Vec3 up, double angle, std::vector<Camera>& cameras)
+/// Cameras along the walls and in the corners that look across the room.
+std::vector<Camera> inside_cameras(const Room& room, Vec3 up, double aspect)
 {
     constexpr double inset = 0.05;
     constexpr double steepest = 0.7; // in high rooms the cameras would look down too steeply
     constexpr double places[] = {inset, 0.3, 0.5, 0.7, 1.0 - inset};
-    for (const double x : places)
-        for (const double z : places) {
-            const bool at_wall = x == inset || z == inset || x == 1.0 - inset || z == 1.0 - inset;
-            if (!at_wall)
-                continue;
-            for (const double eye_height : {0.55, 0.65, 0.75})
-                for (const double target_height : {0.35, 0.45}) {
-                    const Vec3 eye = room.at(x, eye_height, z);
-                    const auto target = [&](double height) {
-                        return room.at(0.5 + 0.4 * (0.5 - x), height, 0.5 + 0.4 * (0.5 - z));
-                    };
-                    const double least = eye_height - steepest * length(target(eye_height) - eye) / room.box.size().y;
-                    cameras.push_back({eye, target(std::max(least, target_height)), up, angle});
-                }
-        }
+    const auto at_wall = [&](double place) { return place == inset || place == 1.0 - inset; };
+    std::vector<Camera> cameras;
+    for (const double vertical : {58.0, 68.0})
+        for (const double x : places)
+            for (const double z : places)
+                for (const double eye_height : {0.55, 0.65, 0.75})
+                    for (const double target_height : {0.35, 0.45}) {
+                        if (!at_wall(x) && !at_wall(z))
+                            continue;
+                        const Vec3 eye = room.at(x, eye_height, z);
+                        const auto target = [&](double height) {
+                            return room.at(0.5 + 0.4 * (0.5 - x), height, 0.5 + 0.4 * (0.5 - z));
+                        };
+                        const double least =
+                            eye_height - steepest * length(target(eye_height) - eye) / room.box.size().y;
+                        cameras.push_back({eye, target(std::max(least, target_height)), up,
+                                           field_of_view(vertical, vertical + 20.0, aspect)});
+                    }
+    return cameras;
 }
 
 /// Appends cameras outside each wall that look through its back, for rooms that are too small to step back in.
@@ -256,17 +257,17 @@ std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, dou
 {
     std::vector<Camera> cameras;
     const Vec3 size = room.box.size();
+    const Vec3 centre = room.centre();
     const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
     const double diagonal_distance = 0.5 * room.box.diagonal() / elementary::sin(0.5 * angle * radians_per_degree);
+    const double for_height = 0.5 * size.y / half_height;
+    const double along_z = std::max(for_height, 0.5 * size.x / (half_height * aspect)) / size.z + 0.5;
+    const double along_x = std::max(for_height, 0.5 * size.z / (half_height * aspect)) / size.x + 0.5;
     for (const double side : {1.0, -1.0}) {
-        const double for_height = 0.5 * size.y / half_height;
-        const double along_z = std::max(for_height, 0.5 * size.x / (half_height * aspect)) / size.z + 0.5;
-        const double along_x = std::max(for_height, 0.5 * size.z / (half_height * aspect)) / size.x + 0.5;
-        cameras.push_back({room.at(0.5, 0.5, 0.5 + side * along_z), room.at(0.5, 0.5, 0.5), up, angle});
-        cameras.push_back({room.at(0.5 + side * along_x, 0.5, 0.5), room.at(0.5, 0.5, 0.5), up, angle});
+        cameras.push_back({room.at(0.5, 0.5, 0.5 + side * along_z), centre, up, angle});
+        cameras.push_back({room.at(0.5 + side * along_x, 0.5, 0.5), centre, up, angle});
         for (const double other_side : {1.0, -1.0}) {
             const Vec3 slant = normalized(side * room.axis_x + 0.6 * room.axis_y + other_side * room.axis_z);
-            const Vec3 centre = room.at(0.5, 0.5, 0.5);
             cameras.push_back({centre + diagonal_distance * slant, centre, up, angle});
         }
     }
@@ -310,20 +311,11 @@ std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Ca
 /// The best of the candidates, found in two steps.
 std::optional<RatedCamera> best_of(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect)
 {
-    const std::vector<RatedCamera> shortlist = best_cameras(lit_scene, cameras, aspect, coarse_rows, 8);
     std::vector<Camera> finalists;
-    for (const RatedCamera& rated : shortlist)
+    for (const RatedCamera& rated : best_cameras(lit_scene, cameras, aspect, coarse_rows, 8))
         finalists.push_back(rated.camera);
     const std::vector<RatedCamera> best = best_cameras(lit_scene, finalists, aspect, fine_rows, 1);
-    return best.empty() ? std::nullopt : std::optional<RatedCamera>(best.front());
-}
-
-std::vector<Camera> inside_cameras(const Room& room, Vec3 up, double aspect)
-{
-    std::vector<Camera> cameras;
-    for (const double vertical : {58.0, 68.0})
-        append_inside(room, up, field_of_view(vertical, vertical + 20.0, aspect), cameras);
-    return cameras;
+    return best.empty() ? std::nullopt : std::optional(best.front());
 }
 
 /// The best of all candidates in and around a room.
@@ -335,8 +327,8 @@ Camera best_camera(const LitScene& lit_scene, const Room& room, double aspect, V
         return best_cameras(lit_scene, open, aspect, fine_rows, 1).front().camera;
 
     std::vector<Camera> cameras = outside;
-    for (const Camera& camera : inside_cameras(room, up, aspect))
-        cameras.push_back(camera);
+    const std::vector<Camera> inside = inside_cameras(room, up, aspect);
+    cameras.insert(cameras.end(), inside.begin(), inside.end());
     append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
     return best_of(lit_scene, cameras, aspect)->camera;
 }
@@ -362,7 +354,9 @@ std::optional<RatedCamera> best_indoor_camera(LitScene lit_scene, const Room& wh
         cameras.erase(std::remove_if(cameras.begin(), cameras.end(),
                                      [&](const Camera& c) { return !is_surrounded(lit_scene.scene, whole, c.eye); }),
                       cameras.end());
-        lit_scene.box = room.in_space();
+        lit_scene.box = {};
+        for (const Vec3 corner : room.corners())
+            lit_scene.box.include(corner);
         const std::optional<RatedCamera> found = best_of(lit_scene, cameras, aspect);
         if (found && found->quality.is_good() && (!best || found->quality.score > best->quality.score))
             best = found;
@@ -376,15 +370,12 @@ double fitting_distance(const Room& room, Vec3 direction, double angle, double a
     const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
     const Vec3 right = normalized(cross(room.axis_y, direction));
     const Vec3 above = cross(direction, right);
-    const Vec3 centre = room.at(0.5, 0.5, 0.5);
     double distance = 0.0;
-    for (const double x : {0.0, 1.0})
-        for (const double y : {0.0, 1.0})
-            for (const double z : {0.0, 1.0}) {
-                const Vec3 corner = room.at(x, y, z) - centre;
-                const double aside = std::max(std::abs(dot(corner, above)), std::abs(dot(corner, right)) / aspect);
-                distance = std::max(distance, aside / half_height + dot(corner, direction));
-            }
+    for (const Vec3 point : room.corners()) {
+        const Vec3 corner = point - room.centre();
+        const double aside = std::max(std::abs(dot(corner, above)), std::abs(dot(corner, right)) / aspect);
+        distance = std::max(distance, aside / half_height + dot(corner, direction));
+    }
     return distance;
 }
 
@@ -393,7 +384,7 @@ Camera best_outdoor_camera(const LitScene& lit_scene, const Room& whole, double 
 {
     const Room room = above_ground(lit_scene.scene, whole);
     const double angle = field_of_view(45.0, 60.0, aspect);
-    const Vec3 centre = room.at(0.5, 0.5, 0.5);
+    const Vec3 centre = room.centre();
     std::vector<Camera> cameras;
     for (int k = 0; k < 8; ++k) {
         const SinCos turn = sin_cos_of_turns((k + 0.5) / 8.0);
@@ -422,9 +413,8 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
     const Camera plain = best_camera(LitScene(scene), room, aspect, up);
     if (view_quality(lit_scene, plain, aspect, fine_rows).is_good())
         return plain;
-    if (const std::optional<RatedCamera> indoors = best_indoor_camera(lit_scene, room, aspect, up))
-        return indoors->camera;
-    return best_camera(lit_scene, room, aspect, up);
+    const std::optional<RatedCamera> indoors = best_indoor_camera(lit_scene, room, aspect, up);
+    return indoors ? indoors->camera : best_camera(lit_scene, room, aspect, up);
 }
 
 } // namespace multipath

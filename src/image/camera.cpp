@@ -1,7 +1,8 @@
 #include "image/camera.h"
 
-#include "base/elementary.h"
 #include "base/errors.h"
+#include "image/image.h"
+#include "parallel/blocks.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Camera cropped(Camera camera, int rows_before, int rows)
     return camera;
 }
 
-PixelRays::PixelRays(const Camera& camera, int width, int height) : eye_(camera.eye)
+PixelRays::PixelRays(const Camera& camera, int width, int height) : width_(width), height_(height), eye_(camera.eye)
 {
     require_picture(width, height);
     require_camera(camera);
@@ -110,6 +111,21 @@ void VisibleHits::look_through_backs(const std::vector<Line>& rays)
                 seen_[back_first_[i]] = *front;
         }
     }
+}
+
+std::vector<std::optional<Hit>> visible_hits(const Scene& scene, const PixelRays& rays, int threads)
+{
+    std::vector<std::optional<Hit>> hits(pixel_index(rays.width(), 0, rays.height()));
+    parallel_blocks(static_cast<std::uint64_t>(rays.height()), threads, [&](std::uint64_t row) {
+        const int y = static_cast<int>(row);
+        std::vector<Line> lines;
+        for (int x = 0; x < rays.width(); ++x)
+            lines.push_back(rays.through(x + 0.5, y + 0.5));
+        VisibleHits visible(scene);
+        const std::vector<std::optional<Hit>>& found = visible.first(lines);
+        std::copy(found.begin(), found.end(), &hits[pixel_index(rays.width(), 0, y)]);
+    });
+    return hits;
 }
 
 } // namespace multipath

@@ -46,7 +46,12 @@ public:
     /// corner; (0.5, 0.5) is the centre of the first pixel.
     Line through(double x, double y) const;
 
+    int width() const { return width_; }   ///< [pixels]
+    int height() const { return height_; } ///< [pixels]
+
 private:
+    int width_;
+    int height_;
     Vec3 eye_;
     Vec3 top_left_; ///< vector from the eye to the top left corner of the picture, on the image plane at distance one
     Vec3 per_x_;    ///< step of one pixel to the right on that plane
@@ -81,17 +86,8 @@ private:
     HitLists hits_;
 };
 
-/// Traces the rays through the pixel centres of row y, which has `width` pixels. Calls visit(x, hit) for each pixel
-/// from left to right; the hit is a std::optional, empty where nothing is visible. `visible`: reusable buffers.
-template <class Visit>
-void for_each_visible(const PixelRays& pixels, int width, int y, VisibleHits& visible, const Visit& visit)
-{
-    std::vector<Line> rays;
-    for (int x = 0; x < width; ++x)
-        rays.push_back(pixels.through(x + 0.5, y + 0.5));
-    const std::vector<std::optional<Hit>>& hits = visible.first(rays);
-    for (int x = 0; x < width; ++x)
-        visit(x, hits[static_cast<std::size_t>(x)]);
-}
+/// The first visible hit of the ray through each pixel centre, row by row from the top left; nothing where nothing is
+/// visible.
+std::vector<std::optional<Hit>> visible_hits(const Scene& scene, const PixelRays& rays, int threads);
 
 } // namespace multipath

@@ -4,10 +4,11 @@
 #include "scene/text/text_words.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <string_view>
-#include <vector>
 
 namespace multipath {
 
@@ -21,22 +22,22 @@ public:
 
     Camera parse()
     {
-        std::vector<std::string> keys;
+        Camera camera;
+        std::set<std::string> keys;
         expect('{', "an object { ... } with `eye` and `target`");
         for (bool more = next() != '}'; more; more = take(',')) {
             const std::string key = string();
-            if (std::find(keys.begin(), keys.end(), key) != keys.end())
+            if (!keys.insert(key).second)
                 fail("`" + key + "` is given again");
-            keys.push_back(key);
             expect(':', "a colon after " + in_quotes(key));
             if (key == "eye")
-                camera_.eye = point(key);
+                camera.eye = point(key);
             else if (key == "target")
-                camera_.target = point(key);
+                camera.target = point(key);
             else if (key == "up")
-                camera_.up = point(key);
+                camera.up = point(key);
             else if (key == "fov")
-                camera_.field_of_view = angle();
+                camera.field_of_view = angle();
             else
                 fail("unknown key " + in_quotes(key) + ", expected `eye`, `target`, `up` or `fov`");
         }
@@ -44,14 +45,14 @@ public:
         if (next() != '\0' || position_ < text_.size())
             fail("more text after the view, expected the end of the file");
         for (const char* needed : {"eye", "target"})
-            if (std::find(keys.begin(), keys.end(), needed) == keys.end())
+            if (keys.count(needed) == 0)
                 refuse({path_, 0},
                        "no `" + std::string(needed) + "`, expected {\"eye\": [x, y, z], \"target\": [x, y, z]}");
-        if (camera_.eye == camera_.target)
+        if (camera.eye == camera.target)
             refuse({path_, 0}, "the camera looks at where it stands, expected another `target`");
-        if (length(cross(camera_.target - camera_.eye, camera_.up)) == 0.0)
+        if (length(cross(camera.target - camera.eye, camera.up)) == 0.0)
             refuse({path_, 0}, "the camera looks along `up`, expected another direction");
-        return camera_;
+        return camera;
     }
 
 private:
@@ -64,9 +65,7 @@ private:
     /// Skips white space and returns the next character; 0 at the end.
     char next()
     {
-        while (position_ < text_.size() &&
-               (is_blank(text_[position_]) || text_[position_] == '\n' || text_[position_] == '\r'))
-            ++position_;
+        position_ = std::min(text_.find_first_not_of(" \t\n\v\f\r", position_), text_.size());
         return position_ < text_.size() ? text_[position_] : '\0';
     }
 
@@ -109,15 +108,13 @@ private:
 
     Vec3 point(const std::string& key)
     {
-        const std::string what = "three numbers [x, y, z] of `" + key + "`";
-        expect('[', what);
-        const double x = number(key);
-        expect(',', what);
-        const double y = number(key);
-        expect(',', what);
-        const double z = number(key);
-        expect(']', what);
-        return {x, y, z};
+        std::array<double, 3> numbers{};
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            expect(k == 0 ? '[' : ',', "three numbers [x, y, z] of `" + key + "`");
+            numbers[k] = number(key);
+        }
+        expect(']', "three numbers [x, y, z] of `" + key + "`");
+        return {numbers[0], numbers[1], numbers[2]};
     }
 
     double angle()
@@ -131,7 +128,6 @@ private:
     const std::string& path_;
     std::string_view text_;
     std::size_t position_ = 0;
-    Camera camera_;
 };
 
 } // namespace

@@ -127,11 +127,11 @@ bool inked(char character, int column, int row)
     return false;
 }
 
-void fill_square(ScreenImage& picture, int x, int y, int side, std::uint8_t grey)
+/// Fills a rectangle; parts outside the picture are clipped.
+void fill(ScreenImage& picture, int x, int y, int width, int height, std::uint8_t grey)
 {
-    const int right = std::min(x + side, picture.width);
-    for (int row = std::max(y, 0); row < std::min(y + side, picture.height); ++row)
-        for (int column = std::max(x, 0); column < right; ++column)
+    for (int row = std::max(y, 0); row < std::min(y + height, picture.height); ++row)
+        for (int column = std::max(x, 0); column < std::min(x + width, picture.width); ++column)
             std::fill_n(picture.at(column, row), 3, grey);
 }
 
@@ -148,7 +148,7 @@ void draw_text(ScreenImage& picture, int x, int y, int scale, std::string_view t
         for (int row = 0; row < font_height; ++row)
             for (int column = 0; column < advance - 1; ++column)
                 if (inked(character, column, row))
-                    fill_square(picture, x + scale * column, y + scale * row, scale, grey);
+                    fill(picture, x + scale * column, y + scale * row, scale, scale, grey);
         x += scale * advance;
     }
 }
@@ -166,25 +166,6 @@ constexpr int side_margin = 24;         // half of the longest number, such as 0
 constexpr int least_width = 300;        // fits the numbers of five steps side by side
 constexpr std::uint8_t background = 32; // grey, distinct from black (no value) and from all map colours
 constexpr std::uint8_t ink = 230;
-
-/// Draws colours, tick marks and contour lines between the columns `left` and `right`.
-void draw_bar(ScreenImage& strip, int scale, int left, int right, const Legend& legend)
-{
-    const int steps = legend.scale.steps;
-    for (int x = left; x < right; ++x) {
-        const Rgb colour = map_colour((x - left + 0.5) / (right - left));
-        const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
-        for (int y = scale * bar_top; y < scale * bar_bottom; ++y)
-            std::copy(bytes.begin(), bytes.end(), strip.at(x, y));
-    }
-    for (int step = 0; step <= steps; ++step) {
-        const int middle = left + (right - left) * step / steps;
-        for (int y = scale * bar_bottom; y < scale * mark_bottom; ++y)
-            std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, ink);
-        for (int y = scale * bar_top; legend.has_contour(step) && step < steps && y < scale * bar_bottom; ++y)
-            std::fill_n(strip.at(middle - scale / 2, y), 3 * scale, legend.contour_grey(step));
-    }
-}
 
 } // namespace
 
@@ -244,11 +225,20 @@ ScreenImage legend_strip(int width, int height, const Legend& legend)
     const int left = scale * side_margin;
     const int right = width - left;
     draw_text(strip, left, scale * title_top, scale, legend.title, ink);
-    draw_bar(strip, scale, left, right, legend);
-    for (int step = 0; step <= legend.scale.steps; ++step) {
-        const bool open = legend.exceeded && step == legend.scale.steps;
-        const std::string number = legend.scale.number(step) + (open ? "+" : "");
-        const int middle = left + (right - left) * step / legend.scale.steps;
+    for (int x = left; x < right; ++x) {
+        const Rgb colour = map_colour((x - left + 0.5) / (right - left));
+        const std::array<std::uint8_t, 3> bytes = {screen_byte(colour.r), screen_byte(colour.g), screen_byte(colour.b)};
+        for (int y = scale * bar_top; y < scale * bar_bottom; ++y)
+            std::copy(bytes.begin(), bytes.end(), strip.at(x, y));
+    }
+    const int steps = legend.scale.steps;
+    for (int step = 0; step <= steps; ++step) {
+        const int middle = left + (right - left) * step / steps;
+        const int mark = middle - scale / 2;
+        fill(strip, mark, scale * bar_bottom, scale, scale * (mark_bottom - bar_bottom), ink);
+        if (legend.has_contour(step) && step < steps)
+            fill(strip, mark, scale * bar_top, scale, scale * (bar_bottom - bar_top), legend.contour_grey(step));
+        const std::string number = legend.scale.number(step) + (legend.exceeded && step == steps ? "+" : "");
         draw_text(strip, middle - scale * text_width(number) / 2, scale * numbers_top, scale, number, ink);
     }
     return strip;

@@ -61,32 +61,32 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
                    const RenderOptions& options, double most_sky)
 {
     constexpr int block = 4; // pixels along a side, which are outdoors or not like one of them
-    const PixelRays pixels(camera, options.width, options.height);
     const Vec3 up = normalized(camera.up);
-    const Image black = {options.width, options.height,
-                         std::vector<Rgb>(pixel_index(options.width, 0, options.height))};
+    const std::vector<std::optional<Hit>> hits =
+        visible_hits(scene, PixelRays(camera, options.width, options.height), options.threads);
+    const Image black = {options.width, options.height, std::vector<Rgb>(hits.size())};
     Preview preview = {black, black};
-    parallel_blocks(
-        static_cast<std::uint64_t>((options.height + block - 1) / block), options.threads, [&](std::uint64_t row) {
-            VisibleHits visible(scene);
-            RayFan fan;
-            std::vector<std::optional<bool>> outdoors(static_cast<std::size_t>(options.width / block + 1));
-            const int first = block * static_cast<int>(row);
-            for (int y = first; y < std::min(options.height, first + block); ++y)
-                for_each_visible(pixels, options.width, y, visible, [&](int x, const std::optional<Hit>& hit) {
-                    if (!hit || scene.is_sky(hit->surface))
-                        return;
-                    std::optional<bool>& is_outdoors = outdoors[static_cast<std::size_t>(x / block)];
-                    if (!is_outdoors)
-                        is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
-                    if (*is_outdoors)
-                        return;
-                    const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
-                    preview.all.at(x, y) = radiosity[patch];
-                    if (scene.emittance(patch) == Rgb{})
-                        preview.lit.at(x, y) = radiosity[patch];
-                });
-        });
+    const auto rows = static_cast<std::uint64_t>((options.height + block - 1) / block);
+    parallel_blocks(rows, options.threads, [&](std::uint64_t row) {
+        RayFan fan;
+        std::vector<std::optional<bool>> outdoors(static_cast<std::size_t>(options.width / block + 1));
+        const int first = block * static_cast<int>(row);
+        for (int y = first; y < std::min(options.height, first + block); ++y)
+            for (int x = 0; x < options.width; ++x) {
+                const std::optional<Hit>& hit = hits[pixel_index(options.width, x, y)];
+                if (!hit || scene.is_sky(hit->surface))
+                    continue;
+                std::optional<bool>& is_outdoors = outdoors[static_cast<std::size_t>(x / block)];
+                if (!is_outdoors)
+                    is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
+                if (*is_outdoors)
+                    continue;
+                const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+                preview.all.at(x, y) = radiosity[patch];
+                if (scene.emittance(patch) == Rgb{})
+                    preview.lit.at(x, y) = radiosity[patch];
+            }
+    });
     return preview;
 }
 

@@ -4,7 +4,6 @@
 #include "image/colour_scale.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
-#include "parallel/blocks.h"
 #include "sampling/random.h"
 
 #include <algorithm>
@@ -20,42 +19,31 @@ namespace {
 // For smaller reflectances the rounding error of B - E would be taken for irradiance if the emittance is large.
 constexpr double least_reflectance = 1e-6;
 
-double irradiance(double radiosity, double emittance, double reflectance)
-{
-    if (reflectance < least_reflectance)
-        return std::numeric_limits<double>::quiet_NaN();
-    // A mean over replicates may be slightly below E because of rounding.
-    return std::max(0.0, radiosity - emittance) / reflectance;
-}
-
 } // namespace
 
 std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
+    const auto arriving = [](double b, double e, double rho) {
+        // A mean over replicates may be slightly below E because of rounding.
+        return rho < least_reflectance ? std::numeric_limits<double>::quiet_NaN() : std::max(0.0, b - e) / rho;
+    };
     std::vector<Rgb> result;
-    result.reserve(radiosity.size());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const Rgb b = radiosity[i];
-        const Rgb e = scene.emittance(i);
-        const Rgb rho = scene.reflectance(i);
-        result.push_back({irradiance(b.r, e.r, rho.r), irradiance(b.g, e.g, rho.g), irradiance(b.b, e.b, rho.b)});
-    }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        result.push_back(by_channel(arriving, radiosity[i], scene.emittance(i), scene.reflectance(i)));
     return result;
 }
 
 std::vector<Rgb> magnitudes(const std::vector<Rgb>& values)
 {
     std::vector<Rgb> result;
-    result.reserve(values.size());
     for (const Rgb& value : values)
-        result.push_back({std::abs(value.r), std::abs(value.g), std::abs(value.b)});
+        result.push_back(by_channel([](double x) { return std::abs(x); }, value));
     return result;
 }
 
 std::vector<Rgb> normal_colours(const Scene& scene)
 {
     std::vector<Rgb> colours;
-    colours.reserve(scene.patch_count());
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Vec3 n = scene.patch(i).shape.normal();
         colours.push_back({0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z});
@@ -67,7 +55,6 @@ std::vector<Rgb> patch_colours(std::size_t patches)
 {
     constexpr double chroma = 0.075; // a screen can show all hues of this chroma at these lightnesses
     std::vector<Rgb> colours;
-    colours.reserve(patches);
     for (std::size_t patch = 0; patch < patches; ++patch) {
         const double angle = 2.0 * pi * bits_to_unit(random_bits(0, 2 * patch));
         const double lightness = 0.45 + 0.39 * bits_to_unit(random_bits(0, 2 * patch + 1));
@@ -76,36 +63,28 @@ std::vector<Rgb> patch_colours(std::size_t patches)
     return colours;
 }
 
-// A false-colour picture is made in three steps. A render of the plain values, one sample per pixel, finds the range
-// that is visible, from which the scale of the legend follows. A second render shows every patch in its colour. Contour
+// A false-colour picture is made in three steps. The values at the pixel centres tell the range that is visible, from
+// which the scale of the legend follows. A render shows every patch in its colour. Contour
 // lines are drawn on top: a pixel is covered where the distance to the line, estimated from the difference between its
 // value and the contour level divided by the gradient, is below half of the line's width.
 
 namespace {
 
 /// The values at the pixel centres in ascending order, without pixels that show no value.
-std::vector<double> sorted_seen_values(const Scene& scene, const std::vector<double>& values, const Camera& camera,
-                                       RenderOptions options)
+std::vector<double> sorted_seen_values(const Scene& scene, const std::vector<double>& values,
+                                       const std::vector<std::optional<Hit>>& hits)
 {
-    // The second channel is 1 where there is a value, to distinguish 0 from no value.
-    std::vector<Rgb> marked;
-    marked.reserve(values.size());
-    for (const double value : values)
-        marked.push_back(std::isfinite(value) ? Rgb{value, 1.0, 0.0} : Rgb{});
-    options.samples_per_pixel = 1;
     std::vector<double> seen;
-    for (const Rgb& pixel : render(scene, marked, camera, options).pixels)
-        if (pixel.g > 0.0)
-            seen.push_back(pixel.r);
+    for (const std::optional<Hit>& hit : hits) {
+        if (!hit && scene.file().sky_surfaces == 0)
+            continue;
+        const std::uint32_t patch =
+            hit ? scene.patch_at(hit->surface, hit->u, hit->v, hit->front) : scene.first_patch(scene.own_surfaces());
+        if (std::isfinite(values[patch]))
+            seen.push_back(values[patch]);
+    }
     std::sort(seen.begin(), seen.end());
     return seen;
-}
-
-RenderOptions flat(RenderOptions options)
-{
-    options.shading = Shading::flat;
-    options.white = std::numeric_limits<double>::infinity();
-    return options;
 }
 
 /// The interpolated value at the centre of a pixel.
@@ -118,26 +97,20 @@ struct SeenValue
 };
 
 /// The interpolated values of all pixels, row by row. Sources are left out, so that they get no contour lines.
-std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>& values, const Camera& camera,
-                                   const RenderOptions& options)
+std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>& values,
+                                   const std::vector<std::optional<Hit>>& hits, int threads)
 {
     std::vector<Rgb> known;
-    known.reserve(values.size());
     for (const double value : values)
         known.push_back(std::isfinite(value) ? Rgb{value, value, value} : Rgb{});
-    const SmoothShading smooth(scene, known, options.threads);
-    const PixelRays rays(camera, options.width, options.height);
-    std::vector<SeenValue> seen(pixel_index(options.width, 0, options.height));
-    parallel_blocks(static_cast<std::uint64_t>(options.height), options.threads, [&](std::uint64_t row) {
-        VisibleHits visible(scene);
-        const int y = static_cast<int>(row);
-        for_each_visible(rays, options.width, y, visible, [&](int x, const std::optional<Hit>& hit) {
-            if (!hit || scene.surface_material(hit->surface).emittance != Rgb{})
-                return;
-            if (std::isfinite(values[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)]))
-                seen[pixel_index(options.width, x, y)] = {2 * hit->surface + (hit->front ? 0 : 1), smooth.at(*hit).r};
-        });
-    });
+    const SmoothShading smooth(scene, known, threads);
+    std::vector<SeenValue> seen(hits.size());
+    for (std::size_t n = 0; n < hits.size(); ++n) {
+        const std::optional<Hit>& hit = hits[n];
+        if (hit && scene.surface_material(hit->surface).emittance == Rgb{} &&
+            std::isfinite(values[scene.patch_at(hit->surface, hit->u, hit->v, hit->front)]))
+            seen[n] = {2 * hit->surface + (hit->front ? 0 : 1), smooth.at(*hit).r};
+    }
     return seen;
 }
 
@@ -231,7 +204,9 @@ Legend legend_for(const std::string& title, const std::vector<double>& sorted)
 ScreenImage flat_picture(const Scene& scene, const std::vector<Rgb>& colours, const Camera& camera,
                          RenderOptions options)
 {
-    const Image image = render(scene, colours, camera, flat(options));
+    options.shading = Shading::flat;
+    options.white = std::numeric_limits<double>::infinity();
+    const Image image = render(scene, colours, camera, options);
     ScreenImage screen{image.width, image.height, {}};
     screen.bytes.reserve(3 * image.pixels.size());
     // No dithering, unlike tone_map(): a patch must have exactly the colour of the legend.
@@ -247,19 +222,19 @@ ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Cam
     const Camera view = cropped(camera, options.height, options.height - legend_rows);
     options.height -= legend_rows;
     std::vector<double> values;
-    values.reserve(quantity.values.size());
     for (const Rgb& value : quantity.values)
         values.push_back(mean(value));
-    Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, view, flat(options)));
+    const std::vector<std::optional<Hit>> hits =
+        visible_hits(scene, PixelRays(view, options.width, options.height), options.threads);
+    Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, hits));
     legend.contours = quantity.contours;
 
     std::vector<Rgb> colours;
-    colours.reserve(values.size());
     for (const double value : values)
         colours.push_back(std::isfinite(value) ? map_colour(value / legend.scale.top()) : Rgb{});
     ScreenImage screen = flat_picture(scene, colours, view, options);
     if (quantity.contours)
-        ContourPen(screen, seen_values(scene, values, view, options), legend).draw();
+        ContourPen(screen, seen_values(scene, values, hits, options.threads), legend).draw();
     if (legend_rows > 0) {
         const ScreenImage strip = legend_strip(options.width, legend_rows, legend);
         screen.bytes.insert(screen.bytes.end(), strip.bytes.begin(), strip.bytes.end());

@@ -12,7 +12,6 @@
 #include <array>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 

@@ -2,7 +2,6 @@
 
 #include "base/elementary.h"
 #include "geometry/hit.h"
-#include "image/camera.h"
 #include "image/exposure.h"
 #include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
@@ -16,11 +15,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 
@@ -43,14 +39,6 @@ std::uint64_t morton_number(int x, int y)
     return number;
 }
 
-/// Numbers of rays that FinalGather casts.
-struct GatherRays
-{
-    int to_sources = 16; ///< shadow rays per camera ray
-    /// Hemisphere rays per sample of indirect light; a sample also serves neighbouring pixels. 0: no indirect light.
-    int around = 64;
-};
-
 /// Final gathering for one picture: the radiosity of each visible point is computed from the light that arrives there,
 /// so that no patch borders show. Direct light is sampled for every point. Indirect light comes from an irradiance
 /// cache (IndirectGrid), or is gathered where the cache has no valid sample. Immutable after construction and safe to
@@ -58,14 +46,44 @@ struct GatherRays
 class FinalGather
 {
 public:
-    /// Fills the irradiance cache for the pixels of a picture of width x height pixels. `radiosity`: the solution
-    /// [W/m^2] per patch. The scene must outlive this object.
-    FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width, int height,
-                GatherRays rays, int threads);
+    /// Fills the irradiance cache. `radiosity`: the solution [W/m^2] per patch. `samples`: camera rays per pixel. The
+    /// scene must outlive this object.
+    FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels,
+                const RenderOptions& options, int samples)
+        : scene_(scene),
+          width_(options.width),
+          height_(options.height),
+          threads_(options.threads),
+          samples_(static_cast<std::uint64_t>(samples)),
+          // Twice as many rays to the sources: neighbours do not share them, and only pixels in penumbrae, where noise
+          // is visible, need any.
+          rays_to_sources_(static_cast<std::size_t>((2 * options.gather_rays + samples - 1) / samples)),
+          sequence_around_(make_sequence("sobol-owen", 1)),
+          sequence_to_sources_(make_sequence("sobol-owen", 2)),
+          source_light_(scene),
+          indirect_light_(scene, radiosity, options.indirect ? options.gather_rays : 0, threads_),
+          grid_(width_, height_),
+          centres_(pixel_index(width_, 0, height_))
+    {
+        if (options.indirect && options.gather_rays > 0)
+            gather_indirect_light(pixels);
+    }
 
     /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y), emitted light included. `sample`: index
-    /// of the ray among the `samples` rays of its pixel. `fan`: reusable buffers of one thread.
-    Rgb at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const;
+    /// of the ray among the rays of its pixel. `fan`: reusable buffers of one thread.
+    Rgb at(const Hit& hit, int x, int y, int sample, RayFan& fan) const
+    {
+        const GatherPoint receiver = gather_point(scene_, hit);
+        const std::uint64_t number = morton_number(x, y) * samples_ + static_cast<std::uint64_t>(sample);
+        const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
+        const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
+        Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(receiver, x, y, fan);
+        const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
+        const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
+        irradiance += source_light_.irradiance(receiver, items, offset, fan);
+        return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
+               scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
+    }
 
 private:
     /// The point seen through the centre of a pixel.
@@ -75,14 +93,51 @@ private:
         std::optional<Rgb> indirect; ///< [W/m^2] indirect irradiance; absent where it may vary within the pixel
     };
 
-    void trace_pixel_centres(const PixelRays& pixels, int threads);
-    void gather_indirect_light(int threads);
-    Rgb indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const;
+    /// Where indirect light varies slowly, one pixel in four is sampled; close to other surfaces every pixel is.
+    void gather_indirect_light(const PixelRays& pixels)
+    {
+        const std::vector<std::optional<Hit>> hits = visible_hits(scene_, pixels, threads_);
+        for (std::size_t n = 0; n < hits.size(); ++n)
+            centres_[n].hit = hits[n];
+        const auto for_each_centre = [&](int spacing, const auto& act) {
+            const int rows = (height_ + spacing - 1) / spacing;
+            parallel_blocks(static_cast<std::uint64_t>(rows), threads_, [&](std::uint64_t row) {
+                const int y = spacing * static_cast<int>(row);
+                RayFan fan;
+                for (int x = 0; x < width_; x += spacing)
+                    if (const std::optional<Hit>& hit = centre(x, y).hit)
+                        act(gather_point(scene_, *hit), x, y, fan);
+            });
+        };
+        for_each_centre(2, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
+            grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, morton_number(x / 2, y / 2), fan));
+        });
+        const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
+        for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
+            if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(receiver, x, y))
+                grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, used + morton_number(x, y), fan));
+        });
+        for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan&) {
+            if (grid_.is_supported(receiver, x, y))
+                centre(x, y).indirect = grid_.irradiance(receiver, x, y);
+        });
+    }
+
+    Rgb indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const
+    {
+        if (const std::optional<Rgb> shared = grid_.irradiance(receiver, x, y))
+            return *shared;
+        // A surface that no pixel centre nearby shows.
+        return indirect_light_.at(receiver, *sequence_around_, morton_number(x, y), fan).irradiance;
+    }
+
     PixelCentre& centre(int x, int y) { return centres_[pixel_index(width_, x, y)]; }
 
     const Scene& scene_;
     int width_;
     int height_;
+    int threads_;
+    std::uint64_t samples_;
     std::size_t rays_to_sources_;
     std::unique_ptr<Sequence> sequence_around_;
     std::unique_ptr<Sequence> sequence_to_sources_;
@@ -93,85 +148,6 @@ private:
 };
 
 } // namespace
-
-FinalGather::FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels, int width,
-                         int height, GatherRays rays, int threads)
-    : scene_(scene),
-      width_(width),
-      height_(height),
-      rays_to_sources_(static_cast<std::size_t>(rays.to_sources)),
-      sequence_around_(make_sequence("sobol-owen", 1)),
-      sequence_to_sources_(make_sequence("sobol-owen", 2)),
-      source_light_(scene),
-      indirect_light_(scene, radiosity, rays.around, threads),
-      grid_(width, height),
-      centres_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-{
-    if (rays.around == 0)
-        return;
-    trace_pixel_centres(pixels, threads);
-    gather_indirect_light(threads);
-}
-
-void FinalGather::trace_pixel_centres(const PixelRays& pixels, int threads)
-{
-    parallel_blocks(static_cast<std::uint64_t>(height_), threads, [&](std::uint64_t row) {
-        const int y = static_cast<int>(row);
-        VisibleHits visible(scene_);
-        for_each_visible(pixels, width_, y, visible,
-                         [&](int x, const std::optional<Hit>& hit) { centre(x, y).hit = hit; });
-    });
-}
-
-/// Where indirect light varies slowly, one pixel in four is sampled; close to other surfaces every pixel is.
-void FinalGather::gather_indirect_light(int threads)
-{
-    const auto for_each_centre = [&](int spacing, const auto& act) {
-        const int rows = (height_ + spacing - 1) / spacing;
-        parallel_blocks(static_cast<std::uint64_t>(rows), threads, [&](std::uint64_t row) {
-            const int y = spacing * static_cast<int>(row);
-            RayFan fan;
-            for (int x = 0; x < width_; x += spacing)
-                if (const std::optional<Hit>& hit = centre(x, y).hit)
-                    act(gather_point(scene_, *hit), x, y, fan);
-        });
-    };
-    for_each_centre(2, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
-        grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, morton_number(x / 2, y / 2), fan));
-    });
-    const std::uint64_t used = std::uint64_t{1} << 30; // beyond the numbers of the first pass, of up to 2^15 x 2^15
-    for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
-        if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(receiver, x, y))
-            grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, used + morton_number(x, y), fan));
-    });
-    for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan&) {
-        if (grid_.is_supported(receiver, x, y))
-            centre(x, y).indirect = grid_.irradiance(receiver, x, y);
-    });
-}
-
-Rgb FinalGather::indirect_irradiance(const GatherPoint& receiver, int x, int y, RayFan& fan) const
-{
-    if (const std::optional<Rgb> shared = grid_.irradiance(receiver, x, y))
-        return *shared;
-    // A surface that no pixel centre nearby shows.
-    return indirect_light_.at(receiver, *sequence_around_, morton_number(x, y), fan).irradiance;
-}
-
-Rgb FinalGather::at(const Hit& hit, int x, int y, int sample, int samples, RayFan& fan) const
-{
-    const GatherPoint receiver = gather_point(scene_, hit);
-    const std::uint64_t pixel = morton_number(x, y);
-    const std::uint64_t number = pixel * static_cast<std::uint64_t>(samples) + static_cast<std::uint64_t>(sample);
-    const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
-    const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
-    Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(receiver, x, y, fan);
-    const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
-    const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
-    irradiance += source_light_.irradiance(receiver, items, offset, fan);
-    return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
-           scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
-}
 
 // Every pixel is the mean of k x k samples. Their positions are distributed like a tent filter two pixels wide (filter
 // importance sampling), so that the unweighted mean is the filtered picture. All pixels use the same pattern of
@@ -202,12 +178,8 @@ public:
             ++grid_;
         if (options.shading == Shading::smooth)
             smooth_.emplace(scene, radiosity, options.threads, find_shown());
-        // Twice as many rays to the sources: neighbours do not share them, and only pixels in penumbrae, where noise is
-        // visible, need any.
-        const GatherRays gather_rays{(2 * options.gather_rays + grid_ * grid_ - 1) / (grid_ * grid_),
-                                     options.indirect ? options.gather_rays : 0};
         if (options.shading == Shading::gather)
-            gather_.emplace(scene, radiosity, rays_, options.width, options.height, gather_rays, options.threads);
+            gather_.emplace(scene, radiosity, rays_, options, grid_ * grid_);
     }
 
     void paint_row(int y, Rgb* pixels) const
@@ -270,13 +242,11 @@ private:
             tools.rays.clear();
             for (int k = 0; k < count; ++k)
                 tools.rays.push_back(ray(sample(k)));
-            if (found_.empty()) {
-                const std::vector<std::optional<Hit>>& hits = tools.visible.first(tools.rays);
-                for (int k = 0; k < count; ++k)
-                    visit(sample(k), hits[static_cast<std::size_t>(k)]);
-            } else {
-                for (int k = 0; k < count; ++k)
-                    visit(sample(k), hit_on_found(tools.rays[static_cast<std::size_t>(k)], sample(k)));
+            const std::vector<std::optional<Hit>>* const hits =
+                found_.empty() ? &tools.visible.first(tools.rays) : nullptr;
+            for (std::size_t k = 0; k < tools.rays.size(); ++k) {
+                const Sample s = sample(static_cast<int>(k));
+                visit(s, hits ? (*hits)[k] : hit_on_found(tools.rays[k], s));
             }
         }
     }
@@ -316,7 +286,7 @@ private:
     Rgb shade(const Hit& hit, Sample sample, Tools& tools) const
     {
         if (gather_)
-            return gather_->at(hit, sample.x, sample.y, sample.number, grid_ * grid_, tools.fan);
+            return gather_->at(hit, sample.x, sample.y, sample.number, tools.fan);
         return smooth_ ? smooth_->at(hit) : radiosity_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)];
     }
 
@@ -335,8 +305,7 @@ private:
 
     Rgb clipped(Rgb value) const
     {
-        return {std::min(value.r, options_.white), std::min(value.g, options_.white),
-                std::min(value.b, options_.white)};
+        return by_channel([&](double x) { return std::min(x, options_.white); }, value);
     }
 
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
@@ -359,7 +328,7 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
 {
     const Painter painter(scene, radiosity, camera, options);
     Image image{options.width, options.height, {}};
-    image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    image.pixels.resize(pixel_index(image.width, 0, image.height));
     parallel_blocks(static_cast<std::uint64_t>(image.height), options.threads, [&](std::uint64_t row) {
         painter.paint_row(static_cast<int>(row), &image.at(0, static_cast<int>(row)));
     });

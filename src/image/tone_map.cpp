@@ -24,12 +24,12 @@ double srgb_encoded(double linear)
 
 Rgb srgb_encoded(Rgb linear)
 {
-    return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
+    return by_channel([](double channel) { return srgb_encoded(channel); }, linear);
 }
 
 Rgb srgb_decoded(Rgb encoded)
 {
-    return {srgb_decoded(encoded.r), srgb_decoded(encoded.g), srgb_decoded(encoded.b)};
+    return by_channel([](double channel) { return srgb_decoded(channel); }, encoded);
 }
 
 std::uint8_t screen_byte(double linear)
@@ -154,7 +154,7 @@ Rgb screen_light(Rgb radiosity, ToneOperator tone, double scale)
         const double light = curve(tone, scale * channel);
         return light > 0.0 ? std::min(light, 1.0) : 0.0; // NaN becomes black
     };
-    return {shown(radiosity.r), shown(radiosity.g), shown(radiosity.b)};
+    return by_channel(shown, radiosity);
 }
 
 ScreenImage tone_map(const Image& image, ToneOperator tone, double scale)

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <set>
 
 namespace multipath {
 
@@ -34,9 +34,9 @@ struct ViewCounts
     int near = 0;
     int floor = 0;   ///< hits of surfaces that face up
     int ceiling = 0; ///< hits of surfaces that face down
-    std::vector<std::uint64_t> cells;
-    std::vector<std::uint32_t> surfaces;
-    std::vector<std::uint32_t> materials;
+    std::set<std::uint64_t> cells;
+    std::set<std::uint32_t> surfaces;
+    std::set<std::uint32_t> materials;
 };
 
 /// Index of the cell that contains a point.
@@ -78,9 +78,9 @@ void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nea
     const double upward = dot(scene.surfaces()[hit->surface].normal(), up);
     view.floor += upward > 0.7 ? 1 : 0;
     view.ceiling += upward < -0.7 ? 1 : 0;
-    view.materials.push_back(scene.file().material[hit->surface]);
-    view.cells.push_back(cell_of(lit_scene.box, ray.at(hit->t)));
-    view.surfaces.push_back(hit->surface);
+    view.materials.insert(scene.file().material[hit->surface]);
+    view.cells.insert(cell_of(lit_scene.box, ray.at(hit->t)));
+    view.surfaces.insert(hit->surface);
 }
 
 /// Sum of the brightness of the pixels: 1 for each that has at least the usual radiosity [W/m^2].
@@ -101,13 +101,6 @@ int badly_exposed(const Image& image)
         const double light = mean(screen_light(pixel, ToneOperator::reinhard, scale));
         return light < almost_black || light >= 1.0;
     }));
-}
-
-template <class T>
-void keep_distinct(std::vector<T>& items)
-{
-    std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 /// Saturating reward: rises like a square root from 0 to 1, which it reaches when the share of the rays is `enough`.
@@ -224,9 +217,6 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
     ViewCounts view;
     for (std::size_t k = 0; k < lines.size(); ++k)
         add_ray(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
-    keep_distinct(view.cells);
-    keep_distinct(view.surfaces);
-    keep_distinct(view.materials);
     double seen = 0.0;
     for (const std::uint32_t surface : view.surfaces)
         seen += weight(scene.surfaces()[surface]);
@@ -249,14 +239,8 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
         flaws += 2.0 * view.backs + std::max(0.0, view.sky - 0.6 * count) -
                  brightness(view.exposed, lit_scene.usual_radiosity);
     const double score = variety + completeness + balance + colours + (lamp ? 0.35 : 0.0) - flaws / count;
-    ViewQuality quality;
-    quality.score = score;
-    quality.escaped_share = view.escaped / count;
-    quality.back_share = view.backs / count;
-    quality.dark_share = view.dark / count;
-    quality.unexposed_share = unexposed / count;
-    quality.in_the_way_share = view.in_the_way / count;
-    return quality;
+    return {
+        score, view.escaped / count, view.backs / count, view.dark / count, unexposed / count, view.in_the_way / count};
 }
 
 } // namespace multipath

@@ -13,23 +13,22 @@ namespace multipath {
 namespace {
 
 /// Estimated error [m^2 (W/m^2)^2] of every cell of all surfaces, the sum over its sides; 0 if it is negligible. The
-/// error of a patch is its area times its residual in SmoothShading: how far its linear function is from the values
-/// shown at its corners, plus a term for the curvature. If the patch is the only cell of its surface, the residual is a
+/// error of a patch is its area times its interpolation error: how far its linear function is from the values
+/// shown at its corners, plus a term for the curvature. If the patch is the only cell of its surface, that error is a
 /// fixed fraction of its squared reflected radiosity.
 std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity, int threads)
 {
     // The slope of a patch without neighbours is unknown; its mean square variation is taken as this fraction of its
     // square.
     constexpr double unknown = 0.03;
-    std::vector<double> residuals;
     const std::vector<Rgb> plain = without_texture(scene, radiosity); // pictures show textures at full resolution
-    const SmoothShading shading(scene, plain, threads, residuals);
+    const std::vector<double> shown_errors = interpolation_errors(scene, plain, threads);
     std::vector<double> result(scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count());
     double all = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const bool alone = scene.tessellation(scene.surface_of(i)).cell_count() == 1;
         const Rgb reflected = plain[i] - scene.emittance(i);
-        const double square = alone ? unknown * mean(reflected * reflected) : residuals[i];
+        const double square = alone ? unknown * mean(reflected * reflected) : shown_errors[i];
         result[i % result.size()] += scene.area(i) * square;
         all += scene.area(i) * mean(radiosity[i] * radiosity[i]);
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace multipath {
 
@@ -37,7 +38,7 @@ public:
     }
 
     /// The charts of all surfaces; that with the largest surface is the first.
-    ChartList charts()
+    std::vector<Chart> charts()
     {
         std::vector<double> areas(scene_.own_surfaces());
         for (std::uint32_t s = 0; s < areas.size(); ++s)
@@ -46,12 +47,11 @@ public:
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
-        ChartList list;
-        list.surfaces.reserve(areas.size());
+        std::vector<Chart> charts;
         for (const std::uint32_t s : order)
             if (chart_[s] == no_chart)
-                list.charts.push_back(flooded(s, static_cast<std::uint32_t>(list.charts.size()), list.surfaces));
-        return list;
+                charts.push_back(flooded(s, static_cast<std::uint32_t>(charts.size())));
+        return charts;
     }
 
 private:
@@ -90,24 +90,22 @@ private:
             visit(DirectedEdge{number_[n], number_[n + 1 < end ? n + 1 : begin], surface});
     }
 
-    /// Flood fill from `seed`: appends the surfaces of chart `number`.
-    Chart flooded(std::uint32_t seed, std::uint32_t number, std::vector<std::uint32_t>& surfaces)
+    /// Flood fill from `seed` for chart `number`.
+    Chart flooded(std::uint32_t seed, std::uint32_t number)
     {
         Chart chart;
-        chart.first = surfaces.size();
         const Vec3 normal = scene_.surfaces()[seed].normal();
         const auto take = [&](std::uint32_t s) {
             chart_[s] = number;
-            surfaces.push_back(s);
+            chart.surfaces.push_back(s);
         };
         take(seed);
-        for (std::size_t next = chart.first; next < surfaces.size(); ++next)
-            for_each_edge(surfaces[next], [&](const DirectedEdge& edge) {
+        for (std::size_t next = 0; next < chart.surfaces.size(); ++next)
+            for_each_edge(chart.surfaces[next], [&](const DirectedEdge& edge) {
                 if (const auto neighbour = coplanar_neighbour(edge, seed, normal))
                     take(*neighbour);
             });
-        chart.count = surfaces.size() - chart.first;
-        lay_axes(chart, seed, normal, surfaces);
+        lay_axes(chart, normal);
         return chart;
     }
 
@@ -143,9 +141,9 @@ private:
 
     /// Sets axes and rectangle of a chart. One axis is parallel to the longest edge of the seed, and x is that along
     /// which the rectangle is longer.
-    void lay_axes(Chart& chart, std::uint32_t seed, Vec3 normal, const std::vector<std::uint32_t>& surfaces) const
+    void lay_axes(Chart& chart, Vec3 normal) const
     {
-        const Surface& largest = scene_.surfaces()[seed];
+        const Surface& largest = scene_.surfaces()[chart.surfaces.front()];
         Vec3 longest = largest.edge_u;
         if (length(largest.edge_v) > length(longest))
             longest = largest.edge_v;
@@ -155,20 +153,17 @@ private:
         chart.along_y = normalized(cross(normal, chart.along_x));
 
         Bounds box; // in chart coordinates
-        for (std::size_t n = chart.first; n < chart.first + chart.count; ++n) {
-            for (const Vec3 corner : corners_of(scene_.surfaces()[surfaces[n]])) {
+        for (const std::uint32_t s : chart.surfaces)
+            for (const Vec3 corner : corners_of(scene_.surfaces()[s])) {
                 const Vec3 p = corner - largest.origin;
                 box.include(Vec3{dot(p, chart.along_x), dot(p, chart.along_y), 0.0});
             }
-        }
         chart.corner = largest.origin + box.low.x * chart.along_x + box.low.y * chart.along_y;
         chart.width = box.size().x;
         chart.height = box.size().y;
         if (chart.width < chart.height) {
             chart.corner = chart.corner + chart.width * chart.along_x;
-            const Vec3 x = chart.along_x;
-            chart.along_x = chart.along_y;
-            chart.along_y = -x;
+            chart.along_x = std::exchange(chart.along_y, -chart.along_x);
             std::swap(chart.width, chart.height);
         }
     }
@@ -185,7 +180,7 @@ private:
 
 } // namespace
 
-ChartList charts_of(const Scene& scene)
+std::vector<Chart> charts_of(const Scene& scene)
 {
     return ChartFinder(scene).charts();
 }

@@ -16,12 +16,10 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
 {
     if (size == 0)
         throw std::invalid_argument("a lightmap without texels");
-    const ChartList list = charts_of(scene);
-    std::optional<AtlasPacking> packing = packed(list.charts, scene.two_sided(), size);
-    while (!packing && size <= largest_size / 2) {
+    const std::vector<Chart> charts = charts_of(scene);
+    std::optional<AtlasPacking> packing = packed(charts, scene.two_sided(), size);
+    for (; !packing && size <= largest_size / 2; packing = packed(charts, scene.two_sided(), size))
         size *= 2;
-        packing = packed(list.charts, scene.two_sided(), size);
-    }
     if (!packing)
         throw InputError(scene.path() + ": its surfaces do not fit into a lightmap of " + std::to_string(size) + " x " +
                          std::to_string(size) + " texels; expected fewer surfaces");
@@ -34,14 +32,12 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     map.texels_per_unit = packing->scale;
     map.frames.resize((scene.two_sided() ? 2 : 1) * std::size_t{scene.own_surfaces()});
     for (std::size_t n = 0; n < packing->positions.size(); ++n) {
-        const Chart& chart = list.charts[n % list.charts.size()];
-        const std::size_t first_side = n < list.charts.size() ? 0 : scene.own_surfaces();
-        for (std::size_t k = chart.first; k < chart.first + chart.count; ++k) {
-            const std::uint32_t s = list.surfaces[k];
+        const Chart& chart = charts[n % charts.size()];
+        const std::size_t first_side = n < charts.size() ? 0 : scene.own_surfaces();
+        for (const std::uint32_t s : chart.surfaces)
             map.frames[first_side + s] = atlas_frame(scene.surfaces()[s], chart, packing->positions[n], *packing);
-        }
     }
-    paint(map, scene, list, light, threads);
+    paint(map, scene, charts, light, threads);
     return map;
 }
 

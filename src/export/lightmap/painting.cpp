@@ -83,20 +83,19 @@ public:
     }
 
     /// Finds the owner of every texel: the side that contains its centre, or else the nearest one within the margin.
-    void find_owners(const ChartList& list, int threads)
+    void find_owners(const std::vector<Chart>& charts, int threads)
     {
-        const auto charts = static_cast<std::uint32_t>(list.charts.size());
-        parallel_numbers_by(64, map_.chart_count, threads, [&](std::uint32_t n) {
-            const Chart& chart = list.charts[n % charts];
-            for (std::size_t k = chart.first; k < chart.first + chart.count; ++k)
-                claim(list.surfaces[k] + (n < charts ? 0 : scene_.own_surfaces()));
+        parallel_blocks(map_.chart_count, threads, [&](std::uint64_t n) {
+            for (const std::uint32_t s : charts[n % charts.size()].surfaces)
+                claim(s + (n < charts.size() ? 0 : scene_.own_surfaces()));
         });
     }
 
     /// Computes the light of all texels.
     void paint(const SurfaceLight& light, int threads)
     {
-        parallel_numbers_by(8, size_, threads, [&](std::uint32_t y) {
+        parallel_blocks(size_, threads, [&](std::uint64_t row) {
+            const auto y = static_cast<std::uint32_t>(row);
             for (std::uint32_t x = 0; x < size_; ++x)
                 if (const std::uint32_t number = owner(x, y); number != nobody)
                     texel(x, y) = mean_light(number, x, y, light);
@@ -106,15 +105,6 @@ public:
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffffu;
-
-    template <class Work>
-    static void parallel_numbers_by(std::uint32_t range, std::uint32_t count, int threads, const Work& work)
-    {
-        parallel_ranges(count, range, threads, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t n = first; n < end; ++n)
-                work(n);
-        });
-    }
 
     // Rows are counted from the bottom, like texture coordinates; the picture is stored from the top.
     std::size_t index(std::uint32_t x, std::uint32_t y) const { return std::size_t{size_ - 1 - y} * size_ + x; }
@@ -193,7 +183,7 @@ double share_on_surfaces(const Scene& scene, const Lightmap& map)
 
 } // namespace
 
-void paint(Lightmap& map, const Scene& scene, const ChartList& charts, const SurfaceLight& light, int threads)
+void paint(Lightmap& map, const Scene& scene, const std::vector<Chart>& charts, const SurfaceLight& light, int threads)
 {
     map.used_share = share_on_surfaces(scene, map);
     AtlasPainter painter(scene, map);

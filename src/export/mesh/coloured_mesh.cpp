@@ -4,9 +4,7 @@
 #include "base/text_format.h"
 #include "export/csv_text.h"
 
-#include <array>
 #include <cstdint>
-#include <cstdio>
 
 namespace multipath {
 
@@ -80,9 +78,6 @@ std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_p
                       const std::vector<std::string>& comments)
 {
     std::string bytes = ply_header(mesh, comments);
-    const std::size_t vertex_size = mesh.error.empty() ? 39 : 51;
-    constexpr std::size_t face_size = 33;
-    bytes.reserve(bytes.size() + vertex_size * mesh.positions.size() + face_size * mesh.faces.size());
     for (const MeshSide& side : mesh.sides)
         append_vertices(bytes, mesh, side, colour);
     for (const MeshFace& face : mesh.faces)
@@ -92,20 +87,13 @@ std::string ply_bytes(const PatchMesh& mesh, const std::vector<Rgb>& radiosity_p
 
 namespace {
 
-/// Appends a vertex line.
-void append_vertex(std::string& text, Vec3 p, int digits, Rgb colour)
-{
-    std::array<char, 128> line{};
-    const int length = std::snprintf(line.data(), line.size(), "v %.*g %.*g %.*g %.4f %.4f %.4f\n", digits, p.x, digits,
-                                     p.y, digits, p.z, colour.r, colour.g, colour.b);
-    text.append(line.data(), static_cast<std::size_t>(length));
-}
-
 void append_side(std::string& text, const PatchMesh& mesh, const MeshSide& side, int digits, const ScreenColour& colour)
 {
-    for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n)
-        append_vertex(text, mesh.origin + to_vec3(mesh.positions[n]) + Vec3{}, digits, // never "-0"
-                      colour(to_rgb(mesh.radiosity[n])));
+    for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n) {
+        const Vec3 p = mesh.origin + to_vec3(mesh.positions[n]) + Vec3{}; // never "-0"
+        const Rgb c = colour(to_rgb(mesh.radiosity[n]));
+        text += format("v %.*g %.*g %.*g %.4f %.4f %.4f\n", digits, p.x, digits, p.y, digits, p.z, c.r, c.g, c.b);
+    }
 }
 
 void append_faces(std::string& text, const PatchMesh& mesh, const MeshSide& side)
@@ -123,9 +111,7 @@ void append_faces(std::string& text, const PatchMesh& mesh, const MeshSide& side
 std::string obj_text(const PatchMesh& mesh, const Scene& scene, const ScreenColour& colour,
                      const std::vector<std::string>& comments)
 {
-    std::string text;
-    text.reserve(60 * mesh.positions.size() + 35 * mesh.faces.size());
-    text += comment_lines(comments);
+    std::string text = comment_lines(comments);
     const SceneFile& file = scene.file();
     const int digits = coordinate_digits(scene.own_bounds(), 7);
     std::string group;

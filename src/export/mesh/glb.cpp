@@ -28,10 +28,8 @@ Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point
 /// Factor from the radiosity of a textured surface without its detail to that with a white texture.
 Rgb white_factor(const Material& material)
 {
-    const auto factor = [](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; };
-    const Rgb white = material.texture_scale;
-    const Rgb mean = material.reflectance;
-    return {factor(white.r, mean.r), factor(white.g, mean.g), factor(white.b, mean.b)};
+    return by_channel([](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; },
+                       material.texture_scale, material.reflectance);
 }
 
 std::vector<GltfAttribute> attributes_of(const PatchMesh& mesh, const Scene& scene, double scale)
@@ -40,7 +38,7 @@ std::vector<GltfAttribute> attributes_of(const PatchMesh& mesh, const Scene& sce
         Rgb light = scale * to_rgb(mesh.radiosity[vertex]);
         if (scene.shows_texture(side.surface))
             light = white_factor(scene.surface_material(side.surface)) * light;
-        return single(Rgb{std::min(light.r, 1.0), std::min(light.g, 1.0), std::min(light.b, 1.0)});
+        return single(by_channel([](double x) { return std::min(x, 1.0); }, light));
     };
     const auto place = [&mesh, &scene](const MeshSide& side, std::size_t n) {
         return texture_coordinates(scene, side.surface, mesh.origin + to_vec3(mesh.positions[n]));

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/little_endian.h"
 #include "export/json.h"
+#include "geometry/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,35 +53,23 @@ constexpr std::uint64_t gltf_clamp = 33071;
 constexpr std::uint64_t gltf_repeat = 10497;
 
 /// The binary chunk: buffer views one after the other, each padded to a multiple of four bytes.
-class GltfChunk
+struct GltfChunk
 {
-public:
+    std::string bytes;
+    std::vector<JsonObject> views;
+
     /// Appends what write(bytes) appends as a buffer view, whose description may be extended.
     template <class Write>
     JsonObject& add(const Write& write)
     {
-        const std::size_t begin = bytes_.size();
-        write(bytes_);
-        const std::size_t length = bytes_.size() - begin;
-        bytes_.append((4 - length % 4) % 4, '\0');
-        views_.push_back(JsonObject().count("buffer", 0).count("byteOffset", begin).count("byteLength", length));
-        return views_.back();
+        const std::size_t begin = bytes.size();
+        write(bytes);
+        const std::size_t length = bytes.size() - begin;
+        bytes.append((4 - length % 4) % 4, '\0');
+        views.push_back(JsonObject().count("buffer", 0).count("byteOffset", begin).count("byteLength", length));
+        return views.back();
     }
-
-    std::size_t view_count() const { return views_.size(); }
-    const std::vector<JsonObject>& views() const { return views_; }
-    std::string& bytes() { return bytes_; }
-
-private:
-    std::string bytes_;
-    std::vector<JsonObject> views_;
 };
-
-/// [W/m^2] Absolute difference of the radiosities of two vertices; 0 if the mesh has none.
-double light_step(const PatchMesh& mesh, std::uint32_t a, std::uint32_t b)
-{
-    return mesh.radiosity.empty() ? 0.0 : std::abs(mean(to_rgb(mesh.radiosity[a])) - mean(to_rgb(mesh.radiosity[b])));
-}
 
 /// Appends a face as one or two triangles. A quadrilateral is split along the diagonal with the smaller change of
 /// radiosity, so that an oblique shadow edge is not jagged. `shift` is added to the mesh's vertex indices to get those
@@ -88,12 +77,17 @@ double light_step(const PatchMesh& mesh, std::uint32_t a, std::uint32_t b)
 void append_triangles(std::string& bytes, const PatchMesh& mesh, const MeshFace& face, std::uint32_t shift)
 {
     const auto& c = face.corners;
+    const auto step = [&](std::size_t i, std::size_t j) { // [W/m^2] 0 if the mesh has no radiosity
+        return mesh.radiosity.empty()
+                   ? 0.0
+                   : std::abs(mean(to_rgb(mesh.radiosity[c[i]])) - mean(to_rgb(mesh.radiosity[c[j]])));
+    };
     const auto append = [&](std::size_t i, std::size_t j, std::size_t k) {
         for (const std::size_t corner : {i, j, k})
             append_little_endian(bytes, c[corner] + shift);
     };
     const bool whole = face.corner_count == 3;
-    const bool from_first = whole || light_step(mesh, c[0], c[2]) <= light_step(mesh, c[1], c[3]);
+    const bool from_first = whole || step(0, 2) <= step(1, 3);
     append(0, 1, from_first ? 2 : 3);
     if (!whole)
         append(from_first ? 0 : 1, 2, 3);
@@ -162,15 +156,9 @@ void add_numbers(GltfChunk& chunk, const PatchMesh& mesh, const std::vector<Mate
 /// Adds the range of the positions of a part, which the format requires.
 void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part)
 {
-    std::vector<double> low(3, std::numeric_limits<double>::infinity());
-    std::vector<double> high(3, -std::numeric_limits<double>::infinity());
-    for_each_vertex(part, [&](const MeshSide&, std::size_t vertex) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min<double>(low[axis], mesh.positions[vertex][axis]);
-            high[axis] = std::max<double>(high[axis], mesh.positions[vertex][axis]);
-        }
-    });
-    json.numbers("min", low).numbers("max", high);
+    Bounds box;
+    for_each_vertex(part, [&](const MeshSide&, std::size_t vertex) { box.include(to_vec3(mesh.positions[vertex])); });
+    json.numbers("min", {box.low.x, box.low.y, box.low.z}).numbers("max", {box.high.x, box.high.y, box.high.z});
 }
 
 /// The accessors of each part, for its attributes and then its triangles, and the meshes, which refer to them.
@@ -259,17 +247,9 @@ void add_textures(JsonObject& description, const std::vector<GltfTexture>& textu
     description.objects("images", images).objects("samplers", samplers).objects("textures", pairs);
 }
 
-JsonObject gltf_asset(const GltfContent& content)
-{
-    return JsonObject()
-        .text("version", "2.0")
-        .text("generator", "multipath")
-        .object("extras", JsonObject().texts("record", content.comments).number("color_scale", content.scale));
-}
-
 /// The JSON of the file, without images.
 JsonObject description_of(const Scene& scene, const GltfContent& content, const GltfMeshes& meshes,
-                          const GltfChunk& chunk, std::size_t chunk_size)
+                          const GltfChunk& chunk)
 {
     std::vector<JsonObject> materials;
     std::vector<std::string> names;
@@ -279,7 +259,13 @@ JsonObject description_of(const Scene& scene, const GltfContent& content, const 
     }
     const GlbNodes nodes = glb_nodes(scene, names, content.cameras, content.up);
     JsonObject description;
-    description.object("asset", gltf_asset(content))
+    description
+        .object(
+            "asset",
+            JsonObject()
+                .text("version", "2.0")
+                .text("generator", "multipath")
+                .object("extras", JsonObject().texts("record", content.comments).number("color_scale", content.scale)))
         .texts("extensionsUsed", {"KHR_materials_unlit"})
         .count("scene", 0)
         .objects("scenes", {JsonObject().numbers("nodes", nodes.roots)})
@@ -287,10 +273,10 @@ JsonObject description_of(const Scene& scene, const GltfContent& content, const 
         .objects("meshes", meshes.meshes)
         .objects("materials", materials)
         .objects("accessors", meshes.accessors)
-        .objects("bufferViews", chunk.views())
-        .objects("buffers", {JsonObject().count("byteLength", chunk_size)});
+        .objects("bufferViews", chunk.views)
+        .objects("buffers", {JsonObject().count("byteLength", chunk.bytes.size())});
     if (!content.textures.empty()) // lists must not be empty
-        add_textures(description, content.textures, chunk.view_count() - content.textures.size());
+        add_textures(description, content.textures, chunk.views.size() - content.textures.size());
     if (!nodes.cameras.empty())
         description.objects("cameras", nodes.cameras);
     return description;
@@ -305,9 +291,9 @@ std::string gltf_bytes(const PatchMesh& mesh, const Scene& scene, const GltfCont
     add_numbers(chunk, mesh, content.parts, attributes);
     for (const GltfTexture& texture : content.textures)
         chunk.add([&](std::string& bytes) { bytes += texture.image.bytes; });
-    std::string& bytes = chunk.bytes();
+    std::string& bytes = chunk.bytes;
     const GltfMeshes meshes(mesh, scene, content.parts, attributes);
-    std::string json = description_of(scene, content, meshes, chunk, bytes.size()).document();
+    std::string json = description_of(scene, content, meshes, chunk).document();
     json.append((4 - json.size() % 4) % 4, ' ');
 
     const std::size_t size = 28 + json.size() + bytes.size();

@@ -18,11 +18,9 @@ double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, s
 {
     Rgb light = radiosity[patch];
     if (scene.shows_texture(scene.surface_of(patch))) {
-        const Rgb rho = scene.reflectance(patch);
-        const Rgb white = scene.material_of(patch).texture_scale;
         constexpr double black = 1e-3; // share of white below which a texture is too dark to infer the light on it
         const auto lit = [](double b, double w, double r) { return r > black * w ? b * w / r : b; };
-        light = {lit(light.r, white.r, rho.r), lit(light.g, white.g, rho.g), lit(light.b, white.b, rho.b)};
+        light = by_channel(lit, light, scene.material_of(patch).texture_scale, scene.reflectance(patch));
     }
     return std::max({light.r, light.g, light.b});
 }

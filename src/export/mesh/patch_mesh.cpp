@@ -11,9 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -101,12 +99,8 @@ bool is_covered(const Scene& scene, std::uint32_t number)
 
 std::vector<bool> covered_patches(const Scene& scene, int threads)
 {
-    constexpr std::uint32_t patches_at_a_time = 1024;
     std::vector<std::uint8_t> covered(scene.patch_count());
-    parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i)
-            covered[i] = is_covered(scene, i) ? 1 : 0;
-    });
+    parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) { covered[i] = is_covered(scene, i) ? 1 : 0; });
     return {covered.begin(), covered.end()};
 }
 
@@ -144,19 +138,12 @@ namespace {
 
 constexpr double coinciding = 1e-6; ///< share of the scene's diagonal; corners at most this far apart coincide
 
-/// True if the point of the grid lies on the surface's rim.
-bool on_rim(const Tessellation& cut, GridPoint a)
+/// The edges of the surface on which a point of its grid lies, one bit each.
+unsigned rim_of(const Tessellation& cut, GridPoint a)
 {
-    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u();
-    return slanted || a.i == 0 || a.i == cut.grid_u() || a.j == 0 || a.j == cut.grid_v();
-}
-
-/// True if the edge between two neighbouring points of the grid is part of the surface's rim.
-bool on_rim(const Tessellation& cut, GridPoint a, GridPoint b)
-{
-    const bool slanted = cut.shape == Shape::triangle && a.i + a.j == cut.grid_u() && b.i + b.j == cut.grid_u();
-    return slanted || (a.i == b.i && (a.i == 0 || a.i == cut.grid_u())) ||
-           (a.j == b.j && (a.j == 0 || a.j == cut.grid_v()));
+    const bool triangle = cut.shape == Shape::triangle;
+    return (a.i == 0 ? 1u : 0u) | (a.j == 0 ? 2u : 0u) | ((triangle ? a.i + a.j : a.i) == cut.grid_u() ? 4u : 0u) |
+           (!triangle && a.j == cut.grid_v() ? 8u : 0u);
 }
 
 /// An edge of a face on the rim of its side, from one corner of the face to the next.
@@ -196,15 +183,22 @@ Float3 interpolated(const std::vector<Float3>& values, const std::vector<VertexW
     return single(sum);
 }
 
-/// Copies a mesh side by side and splits the faces that have cuts.
+/// A copy of a mesh in which every face that has cuts is replaced by a fan of triangles around its centroid, which uses
+/// the corners of the other sides. Cuts must be sorted by face, corner and position along the edge. The values [W/m^2]
+/// of new vertices are interpolated.
 class CutMesh
 {
 public:
     CutMesh(const PatchMesh& whole, const std::vector<EdgeCut>& cuts) : whole_(whole), cuts_(cuts)
     {
         result_.origin = whole.origin;
+        for (const MeshSide& side : whole.sides)
+            add_side(side);
     }
 
+    PatchMesh result() && { return std::move(result_); }
+
+private:
     void add_side(const MeshSide& whole)
     {
         MeshSide side = whole;
@@ -219,7 +213,7 @@ public:
         shift_ = static_cast<std::uint32_t>(side.first_vertex - whole.first_vertex);
         for (std::size_t face = whole.first_face; face < whole.first_face + whole.face_count; ++face)
             if (next_ < cuts_.size() && cuts_[next_].edge.face == face)
-                add_fan(whole_.faces[face], rim_of(whole_.faces[face], face));
+                add_fan(whole_.faces[face], rim_with_cuts(whole_.faces[face], face));
             else
                 add_face(whole_.faces[face]);
         side.vertex_count = result_.positions.size() - side.first_vertex;
@@ -227,9 +221,6 @@ public:
         result_.sides.push_back(side);
     }
 
-    PatchMesh result() && { return std::move(result_); }
-
-private:
     void add_face(MeshFace face)
     {
         for (std::uint32_t& corner : face.corners)
@@ -247,7 +238,7 @@ private:
     }
 
     /// The vertices around a face: its own corners and the cuts on its edges, which are added as vertices.
-    std::vector<std::uint32_t> rim_of(const MeshFace& face, std::size_t number)
+    std::vector<std::uint32_t> rim_with_cuts(const MeshFace& face, std::size_t number)
     {
         std::vector<std::uint32_t> rim;
         for (std::uint32_t k = 0; k < face.corner_count; ++k) {
@@ -279,17 +270,6 @@ private:
     std::uint32_t shift_ = 0; ///< from old indices of the side's vertices to new ones
     PatchMesh result_;
 };
-
-/// Replaces every face that has cuts by a fan of triangles around its centroid, which uses the corners of the other
-/// sides. Cuts must be sorted by face, corner and position along the edge. The values [W/m^2] of new vertices are
-/// interpolated.
-PatchMesh with_cuts(const PatchMesh& mesh, const std::vector<EdgeCut>& cuts)
-{
-    CutMesh result(mesh, cuts);
-    for (const MeshSide& side : mesh.sides)
-        result.add_side(side);
-    return std::move(result).result();
-}
 
 std::pair<std::uint32_t, std::uint32_t> ends_of(const PatchMesh& mesh, RimEdge edge)
 {
@@ -363,7 +343,7 @@ PatchMesh stitched(PatchMesh mesh, const Rims& rims, double tolerance)
         const std::vector<EdgeCut> more = cuts_of(mesh, edge, points, cell, tolerance);
         cuts.insert(cuts.end(), more.begin(), more.end());
     }
-    return cuts.empty() ? mesh : with_cuts(mesh, cuts);
+    return cuts.empty() ? mesh : CutMesh(mesh, cuts).result();
 }
 
 /// Builds a mesh side by side.
@@ -404,6 +384,7 @@ private:
 
     void add_face(std::uint32_t patch, std::uint32_t surface, bool front)
     {
+        const Tessellation& cut = scene_.tessellation(surface);
         const CellCorners corners = scene_.corners(patch);
         const std::array<Rgb, 4> radiosity = radiosity_(patch);
         const std::array<Rgb, 4> error = error_ ? error_(patch) : std::array<Rgb, 4>{};
@@ -414,8 +395,8 @@ private:
         for (std::size_t k = 0; k < corners.count; ++k) {
             const std::size_t here = turn(k);
             face.corners[k] = vertex(surface, corners.points[here], single(radiosity[here]), single(error[here]));
-            if (has_inner_rims_ || on_rim(scene_.tessellation(surface), corners.points[here],
-                                          corners.points[turn((k + 1) % corners.count)]))
+            if (has_inner_rims_ ||
+                (rim_of(cut, corners.points[here]) & rim_of(cut, corners.points[turn((k + 1) % corners.count)])) != 0)
                 rims_.edges.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), static_cast<std::uint32_t>(k)});
         }
         mesh_.faces.push_back(face);
@@ -439,7 +420,7 @@ private:
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);
-        if (has_inner_rims_ || on_rim(tessellation, point))
+        if (has_inner_rims_ || rim_of(tessellation, point) != 0)
             rims_.vertices.push_back(latest);
         return latest;
     }

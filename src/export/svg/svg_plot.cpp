@@ -2,6 +2,7 @@
 
 #include "base/elementary.h"
 #include "base/text_format.h"
+#include "export/html_text.h"
 
 #include <algorithm>
 #include <array>
@@ -46,16 +47,8 @@ std::string svg_point(SvgPoint point)
 /// Escapes text for XML. Control characters, which XML forbids, become '?'.
 std::string svg_escaped(const std::string& text)
 {
-    std::string result;
-    for (const char c : valid_utf8(text))
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else
-            result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    std::string result = html_escaped(text);
+    std::replace_if(result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
     return result;
 }
 
@@ -279,9 +272,8 @@ std::string svg_arrow(const Plot& plot, PlotPoint from, PlotPoint to, const std:
     if (length > 0.0) {
         const double back = std::min(6.0, 0.5 * length) / length;
         const double aside = 0.45 * back;
-        shape = "M" + svg_point({x - run, y - rise}) + "L" + svg_point({x, y}) + "M" +
-                svg_point({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" + svg_point({x, y}) +
-                "L" + svg_point({x - back * run + aside * rise, y - back * rise - aside * run});
+        shape += "M" + svg_point({x - back * run - aside * rise, y - back * rise + aside * run}) + "L" +
+                 svg_point({x, y}) + "L" + svg_point({x - back * run + aside * rise, y - back * rise - aside * run});
     }
     return svg_path(shape, svg_stroke(colour, "0.9"));
 }

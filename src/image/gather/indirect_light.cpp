@@ -25,12 +25,10 @@ namespace {
 /// [W/m^2] Radiosity without emittance.
 std::vector<Rgb> reflected_part(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
-    std::vector<Rgb> reflected;
-    reflected.reserve(radiosity.size());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const Rgb part = radiosity[i] - scene.emittance(i);
-        reflected.push_back({std::max(0.0, part.r), std::max(0.0, part.g), std::max(0.0, part.b)});
-    }
+    std::vector<Rgb> reflected = radiosity;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        reflected[i] =
+            by_channel([](double b, double e) { return std::max(0.0, b - e); }, radiosity[i], scene.emittance(i));
     return reflected;
 }
 
@@ -41,8 +39,7 @@ IndirectLight::IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosi
     : scene_(scene),
       near_(near),
       rays_(static_cast<std::size_t>(rays)),
-      reflected_(reflected_part(scene, radiosity)),
-      reflected_light_(scene, reflected_, threads)
+      reflected_light_(scene, reflected_part(scene, radiosity), threads)
 {
 }
 

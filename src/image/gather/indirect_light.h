@@ -38,8 +38,6 @@ public:
     /// where surfaces touch, but adds noise, so pictures do without.
     IndirectLight(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads,
                   const SourceLight* near = nullptr);
-    IndirectLight(const IndirectLight&) = delete;
-    IndirectLight& operator=(const IndirectLight&) = delete;
 
     /// Gathers at the point `receiver`. The rays use the items of `sequence` (an item is one of its points, sequence.h)
     /// from index number * rays to (number + 1) * rays - 1, so that the rays of receivers with consecutive numbers are
@@ -53,7 +51,6 @@ private:
     const Scene& scene_;
     const SourceLight* near_; ///< null: all light is looked up
     std::size_t rays_;
-    std::vector<Rgb> reflected_; ///< [W/m^2] per patch
     SmoothShading reflected_light_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "geometry/bounds.h"
 #include "image/gather/gather_point.h"
 #include "image/gather/indirect_light.h"
 #include "image/gather/source_light.h"
@@ -34,28 +35,20 @@ struct GridAxes
     }
 };
 
-struct Range
+/// The bounding box of the scene without its sky along the axes x, y and up of a grid.
+Bounds extent(const Scene& scene, const GridAxes& axes)
 {
-    double low;
-    double high;
-
-    /// Middle of part k of `count` equal parts.
-    double middle_of_part(std::size_t k, std::size_t count) const
-    {
-        return low + (high - low) * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    }
-};
-
-/// Extent of the scene without its sky along an axis.
-Range extent(const Scene& scene, Vec3 axis)
-{
-    Range range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Bounds box;
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        for (const Vec3 corner : corners_of(scene.surfaces()[s])) {
-            range.low = std::min(range.low, dot(corner, axis));
-            range.high = std::max(range.high, dot(corner, axis));
-        }
-    return range;
+        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
+            box.include(Vec3{dot(corner, axes.along_x), dot(corner, axes.along_y), dot(corner, axes.up)});
+    return box;
+}
+
+/// Middle of part k of `count` equal parts of an interval.
+double middle_of_part(double low, double high, double k, double count)
+{
+    return low + (high - low) * (k + 0.5) / count;
 }
 
 /// Where to measure the light of a point: there, or `hair` above it if the point lies on a surface. Nothing if a ray
@@ -81,25 +74,20 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
 {
     constexpr double most_points = 1e6;
     const GridAxes axes(plan.up);
-    const Range x = extent(scene, axes.along_x);
-    const Range y = extent(scene, axes.along_y);
-    const Range heights = extent(scene, axes.up);
-    const double level = heights.low + plan.height;
-    const double columns = std::max(1.0, std::ceil((x.high - x.low) / plan.step - 1e-9));
-    const double rows = std::max(1.0, std::ceil((y.high - y.low) / plan.step - 1e-9));
+    const Bounds box = extent(scene, axes);
+    const double level = box.low.z + plan.height;
+    const double columns = std::max(1.0, std::ceil(box.size().x / plan.step - 1e-9));
+    const double rows = std::max(1.0, std::ceil(box.size().y / plan.step - 1e-9));
     if (!(columns * rows <= most_points))
         throw SettingsError("the grid has more than a million points; expected a larger step");
     const double hair = 1e-6 * scene.own_bounds().diagonal();
     LightGrid grid;
     std::vector<Vec3> places; // of the points
-    const auto n_x = static_cast<std::size_t>(columns);
-    const auto n_y = static_cast<std::size_t>(rows);
-    for (std::size_t j = 0; j < n_y; ++j)
-        for (std::size_t i = 0; i < n_x; ++i) {
-            const Vec3 point =
-                x.middle_of_part(i, n_x) * axes.along_x + y.middle_of_part(j, n_y) * axes.along_y + level * axes.up;
-            if (level < heights.low || level >= heights.high)
-                continue;
+    const bool inside = level >= box.low.z && level < box.high.z;
+    for (double j = 0.0; inside && j < rows; j += 1.0)
+        for (double i = 0.0; i < columns; i += 1.0) {
+            const Vec3 point = middle_of_part(box.low.x, box.high.x, i, columns) * axes.along_x +
+                               middle_of_part(box.low.y, box.high.y, j, rows) * axes.along_y + level * axes.up;
             if (const std::optional<Vec3> place = place_above_floor(scene, point, axes, hair)) {
                 grid.points.push_back({point, {}});
                 places.push_back(*place);

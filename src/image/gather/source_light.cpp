@@ -11,7 +11,6 @@
 
 #include "geometry/convex_hull.h"
 #include "geometry/intersector/intersector.h"
-#include "geometry/polygon.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -208,16 +207,10 @@ SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, 
 
 Rgb SourceLight::irradiance(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const
 {
-    return irradiance_by_surfaces(receiver, items, offset, fan) +
-           scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
-}
-
-Rgb SourceLight::irradiance_by_surfaces(const GatherPoint& receiver, const Items& items, double offset,
-                                        RayFan& fan) const
-{
     const auto [unobstructed, views] = source_views(receiver, offset);
+    const Rgb sunlight = scene_.sunlight(receiver.surface, receiver.point, receiver.normal);
     if (views.empty())
-        return unobstructed;
+        return unobstructed + sunlight;
     fan.items.resize(items.count);
     items.sequence.generate(items.first, fan.items);
     Rgb unhidden;
@@ -230,7 +223,6 @@ Rgb SourceLight::irradiance_by_surfaces(const GatherPoint& receiver, const Items
         Rgb weight;
     };
     std::vector<Sent> sent;
-    sent.reserve(fan.items.size());
     fan.rays.clear();
     double sum = offset; // cumulative number of rays in proportion to irradiance, before rounding (systematic sampling)
     for (const View& view : views) {
@@ -256,7 +248,7 @@ Rgb SourceLight::irradiance_by_surfaces(const GatherPoint& receiver, const Items
         if (hits.is_hit(k) && hits[k].surface == sent[k].source && hits[k].front)
             arrived += sent[k].weight;
     }
-    return unobstructed + unhidden * quotient(arrived, all);
+    return unobstructed + unhidden * quotient(arrived, all) + sunlight;
 }
 
 } // namespace multipath

@@ -90,7 +90,6 @@ private:
     static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
     static double importance(const Source& source, const GatherPoint& receiver);
     SourceViews source_views(const GatherPoint& receiver, double offset) const;
-    Rgb irradiance_by_surfaces(const GatherPoint& receiver, const Items& items, double offset, RayFan& fan) const;
 
     const Scene& scene_;
     std::vector<Source> sources_;

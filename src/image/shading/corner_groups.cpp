@@ -6,9 +6,6 @@
 #include "image/shading/corner_groups.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
 
 namespace multipath {
 
@@ -102,8 +99,15 @@ public:
     {
     }
 
-    const CornerLattice& lattice() const { return lattice_; }
+    std::vector<CornerGroup> groups(std::uint32_t first_row, std::uint32_t end_row, bool with_points) const
+    {
+        std::vector<CornerGroup> result;
+        for (const GridPoint point : lattice_.points(first_row, end_row))
+            append_groups(point.i, point.j, with_points, result);
+        return result;
+    }
 
+private:
     void append_groups(std::uint32_t i, std::uint32_t j, bool with_points, std::vector<CornerGroup>& groups) const
     {
         const std::size_t before = groups.size();
@@ -135,7 +139,6 @@ public:
         replace_covered(groups.data() + before, groups.data() + groups.size());
     }
 
-private:
     /// Gives groups of weight 0 the mean value of the others: a cell that seems entirely covered may be open between
     /// its sample points. Where it is in fact covered, the value is not visible.
     static void replace_covered(CornerGroup* begin, CornerGroup* end)
@@ -196,18 +199,21 @@ private:
         return point ? std::optional<OpenPoint>({*point, normal_}) : std::nullopt;
     }
 
-    /// Adds a cell to the group's mean, weighted by its open share.
+    /// Adds a cell to the group's mean, weighted by its open share: the value of its linear function at the corner, at
+    /// least 0.
     void add(const CellRing& ring, std::size_t k, CornerGroup& group) const
     {
-        const std::uint32_t patch = first_patch_ + ring.cells[k]->cell;
+        const auto [cell, number] = *ring.cells[k];
+        const std::uint32_t patch = first_patch_ + cell;
         const double weight = patches_.open_share(patch);
-        const Rgb value = estimate(ring, k);
+        const Rgb estimate = patches_.value(patch) + slopes_[patch].at_corner(number, scene_.corners(patch).count);
+        const Rgb value = by_channel([](double x) { return std::max(0.0, x); }, estimate);
         if (group.weight + weight > 0.0)
             group.value = 1.0 / (group.weight + weight) * (group.weight * group.value + weight * value);
         else
             group.value = value;
         group.weight += weight;
-        group.slots.push_back(CornerLattice::per_cell * patch + ring.cells[k]->number);
+        group.slots.push_back(CornerLattice::per_cell * patch + number);
     }
 
     /// Adds the points from which connections to other surfaces are tested.
@@ -217,15 +223,6 @@ private:
              {ring.points[k], open_point(*ring.cells[k], centre(*ring.cells[k]))})
             if (point)
                 group.points.push_back(*point);
-    }
-
-    /// Value of the cell's linear function at the corner, at least 0.
-    Rgb estimate(const CellRing& ring, std::size_t k) const
-    {
-        const std::uint32_t patch = first_patch_ + ring.cells[k]->cell;
-        const std::size_t corners = scene_.corners(patch).count;
-        const Rgb value = patches_.value(patch) + slopes_[patch].at_corner(ring.cells[k]->number, corners);
-        return by_channel([](double x) { return std::max(0.0, x); }, value);
     }
 
     /// A corner lies on an edge of at most one larger cell, which covers all of one side.
@@ -261,11 +258,7 @@ std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std:
                                        std::uint32_t surface, bool front, std::uint32_t first_row,
                                        std::uint32_t end_row, bool with_points)
 {
-    const Side side(patches, slopes, surface, front);
-    std::vector<CornerGroup> groups;
-    for (const GridPoint point : side.lattice().points(first_row, end_row))
-        side.append_groups(point.i, point.j, with_points, groups);
-    return groups;
+    return Side(patches, slopes, surface, front).groups(first_row, end_row, with_points);
 }
 
 } // namespace multipath

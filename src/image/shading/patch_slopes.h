@@ -5,7 +5,6 @@
 #include "scene/scene.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace multipath {

@@ -2,13 +2,14 @@
 
 #include "image/shading/corner_groups.h"
 #include "image/shading/flat_regions.h"
+#include "image/shading/patch_slopes.h"
 #include "image/shading/smoothing_groups.h"
 #include "image/shading/visible_patches.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
+#include <deque>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -55,18 +56,18 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
 namespace {
 
 constexpr std::size_t most_joined = 1000; // more groups at one position are not joined, to bound the time
-constexpr std::uint64_t strips_together = 16;
+constexpr std::uint64_t strips_together = 64;
 
-/// A group that may coincide with groups of other surfaces.
-struct BorderGroup
-{
-    std::uint64_t key = 0; ///< equal for coinciding corners of one material, both on fronts or both on backs
-    CornerGroup group;
-};
-
+/// Equal for coinciding corners of one material, both on fronts or both on backs.
 std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, Vec3 corner)
 {
     return position_hash(scene, corner, 2 * std::uint64_t{scene.file().material[surface]} + (front ? 1 : 0));
+}
+
+std::uint64_t border_key(const Scene& scene, const CornerGroup& group)
+{
+    const std::size_t patch = group.slots.front() / CornerLattice::per_cell;
+    return border_key(scene, group.surface, scene.is_front(static_cast<std::uint32_t>(patch)), group.corner);
 }
 
 /// Rows of corners of one side of a surface.
@@ -98,14 +99,14 @@ std::vector<Strip> strips_of(const Scene& scene, const std::vector<char>& chosen
     return strips;
 }
 
-/// The surfaces that are not shown but have a corner on their border that coincides with one of `borders`.
+/// The surfaces that are not shown but have a corner on their border that coincides with that of a group.
 std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& shown,
-                                  const std::vector<std::vector<BorderGroup>>& borders, int threads)
+                                  const std::deque<CornerGroup>& groups, int threads)
 {
     std::vector<std::uint64_t> keys;
-    for (const std::vector<BorderGroup>& block : borders)
-        for (const BorderGroup& border : block)
-            keys.push_back(border.key);
+    for (const CornerGroup& group : groups)
+        if (group.on_border)
+            keys.push_back(border_key(scene, group));
     std::sort(keys.begin(), keys.end());
     const auto coincides = [&](std::uint32_t surface, bool front) {
         const CornerLattice lattice(scene.tessellation(surface));
@@ -184,12 +185,12 @@ struct SortedGroup
 
 /// Joins coinciding groups of different surfaces. Calls put(group, value) for each group whose value changes.
 template <class Put>
-void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>>& borders, int threads, const Put& put)
+void join_borders(const Scene& scene, const std::deque<CornerGroup>& groups, int threads, const Put& put)
 {
     std::vector<SortedGroup> order;
-    for (const std::vector<BorderGroup>& block : borders)
-        for (const BorderGroup& border : block)
-            order.push_back({border.key, border.group.slots.front(), &border.group});
+    for (const CornerGroup& group : groups)
+        if (group.on_border)
+            order.push_back({border_key(scene, group), group.slots.front(), &group});
     std::sort(order.begin(), order.end());
 
     // Runs of coinciding groups, sorted by surface for locality of memory access.
@@ -210,108 +211,111 @@ void join_borders(const Scene& scene, const std::vector<std::vector<BorderGroup>
     constexpr std::uint32_t runs_together = 256;
     parallel_ranges(static_cast<std::uint32_t>(runs.size()), runs_together, threads,
                     [&](std::uint32_t begin, std::uint32_t end) {
-                        std::vector<const CornerGroup*> groups;
+                        std::vector<const CornerGroup*> run;
                         for (std::uint32_t k = begin; k < end; ++k) {
-                            groups.clear();
+                            run.clear();
                             for (std::size_t n = runs[k].first; n < runs[k].second; ++n)
-                                groups.push_back(order[n].group);
-                            join_coinciding(scene, normals, groups, put);
+                                run.push_back(order[n].group);
+                            join_coinciding(scene, normals, run, put);
                         }
                     });
 }
 
 /// Interpolates hanging nodes between the ends of the edge on which they lie. Edges of larger patches come first, since
 /// the ends of an edge may be hanging nodes on edges of still larger patches.
-void interpolate_hanging_nodes(const std::vector<std::vector<CornerGroup>>& blocks, std::vector<Rgb>& corners)
+void interpolate_hanging_nodes(const std::deque<CornerGroup>& groups, std::vector<Rgb>& corners)
 {
-    for (std::uint8_t level = 0; level < CellTrees::deepest; ++level)
-        for (const std::vector<CornerGroup>& groups : blocks)
-            for (const CornerGroup& group : groups)
-                if (group.edge->level == level)
-                    for (const std::size_t slot : group.slots)
-                        corners[slot] = (1.0 - group.edge->share) * corners[group.edge->from] +
-                                        group.edge->share * corners[group.edge->to];
+    std::vector<const CornerGroup*> hanging;
+    for (const CornerGroup& group : groups)
+        if (group.edge)
+            hanging.push_back(&group);
+    std::stable_sort(hanging.begin(), hanging.end(),
+                     [](const CornerGroup* a, const CornerGroup* b) { return a->edge->level < b->edge->level; });
+    for (const CornerGroup* group : hanging) {
+        const CornerGroup::Edge& edge = *group->edge;
+        for (const std::size_t slot : group->slots)
+            corners[slot] = (1.0 - edge.share) * corners[edge.from] + edge.share * corners[edge.to];
+    }
+}
+
+/// The values in the slots of all patches. `shown`: as for SmoothShading.
+std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, int threads,
+                               const std::vector<char>& shown)
+{
+    const Scene& scene = patches.scene();
+    std::vector<Rgb> corners(CornerLattice::per_cell * slopes.size());
+    // Every slot belongs to one group, so that threads can call put() at the same time.
+    const auto put = [&corners](const CornerGroup& group, Rgb value) {
+        for (const std::size_t slot : group.slots)
+            corners[slot] = value;
+    };
+    const FlatRegions regions(patches, threads);
+    std::deque<CornerGroup> groups; // whose values may change later
+    const auto add = [&](const std::vector<char>& chosen) {
+        const std::vector<Strip> strips = strips_of(scene, chosen);
+        const Blocks blocks = {strips.size(), strips_together};
+        BlockBuffers<std::vector<CornerGroup>> found(threads);
+        const auto find = [&](std::uint64_t block, int slot) {
+            found[slot].clear();
+            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k) {
+                const auto [surface, front, first_row, end_row] = strips[k];
+                const bool in_region = regions.contains(surface);
+                for (CornerGroup& group :
+                     corner_groups(patches, slopes, surface, front, first_row, end_row, in_region)) {
+                    if (in_region && !group.points.empty())
+                        group.value =
+                            regions.value(surface, front, group.corner, group.points.front()).value_or(group.value);
+                    put(group, group.value);
+                    if (group.edge || group.on_border)
+                        found[slot].push_back(std::move(group));
+                }
+            }
+        };
+        ordered_blocks(blocks.count(), threads, find, [&](std::uint64_t, int slot) {
+            std::move(found[slot].begin(), found[slot].end(), std::back_inserter(groups));
+        });
+    };
+    add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
+    if (!shown.empty())
+        add(surfaces_beside(scene, shown, groups, threads));
+    join_borders(scene, groups, threads, put);
+    interpolate_hanging_nodes(groups, corners);
+    return corners;
 }
 
 } // namespace
 
-SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
+SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values, int threads,
                              const std::vector<char>& shown)
-    : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
+    : scene_(scene)
 {
-    const VisiblePatches patches(scene, values_per_patch, threads);
-    find_corners(patches, patch_slopes(patches, threads), threads, shown);
+    const VisiblePatches patches(scene, values, threads);
+    corners_ = corner_values(patches, patch_slopes(patches, threads), threads, shown);
 }
 
-SmoothShading::SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
-                             std::vector<double>& residuals)
-    : scene_(scene), values_(values_per_patch), corners_(CornerLattice::per_cell * values_per_patch.size())
+std::vector<double> interpolation_errors(const Scene& scene, const std::vector<Rgb>& values, int threads)
 {
-    const VisiblePatches patches(scene, values_per_patch, threads);
+    const VisiblePatches patches(scene, values, threads);
     std::vector<double> bends;
     const std::vector<PatchSlope> slopes = patch_slopes(patches, threads, &bends);
-    find_corners(patches, slopes, threads, {});
+    const std::vector<Rgb> corners = corner_values(patches, slopes, threads, {});
     // The linear functions of neighbours on a quadratic function agree at the corners, so that only bends show its
     // error. For b x^2 / 2 the mean square error on a patch is b^2 / 720, and bends are b^2 / 2, since the neighbours
     // along y count as 0. The factor 9 matches the other term, a mean square at corners: for a x y it is 9 times that
     // over the patch.
     constexpr double share_of_bends = 9.0 * 2.0 / 720.0;
-    residuals.assign(values_.size(), 0.0);
+    std::vector<double> errors(values.size());
     parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
         const std::size_t count = scene.corners(i).count;
         double sum = 0.0;
         for (std::uint32_t k = 0; k < count; ++k) {
             const Rgb own = patches.value(i) + slopes[i].at_corner(k, count);
-            const Rgb difference = corners_[CornerLattice::per_cell * i + k] - own;
+            const Rgb difference = corners[CornerLattice::per_cell * i + k] - own;
             sum += mean(difference * difference);
         }
-        residuals[i] = patches.open_share(i) * (sum / static_cast<double>(count) + share_of_bends * bends[i]);
+        errors[i] = patches.open_share(i) * (sum / static_cast<double>(count) + share_of_bends * bends[i]);
     });
-}
-
-void SmoothShading::find_corners(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, int threads,
-                                 const std::vector<char>& shown)
-{
-    const Scene& scene = scene_;
-    // Every slot belongs to one group, so that threads can call put() at the same time.
-    const auto put = [this](const CornerGroup& group, Rgb value) {
-        for (const std::size_t slot : group.slots)
-            corners_[slot] = value;
-    };
-    const FlatRegions regions(patches, threads);
-    std::vector<std::vector<BorderGroup>> borders;
-    std::vector<std::vector<CornerGroup>> on_edges;
-    const auto add_strip = [&](const Strip& strip, std::vector<BorderGroup>& border,
-                               std::vector<CornerGroup>& on_edge) {
-        const bool in_region = regions.contains(strip.surface);
-        for (CornerGroup& group :
-             corner_groups(patches, slopes, strip.surface, strip.front, strip.first_row, strip.end_row, in_region)) {
-            if (in_region && !group.points.empty())
-                group.value =
-                    regions.value(strip.surface, strip.front, group.corner, group.points.front()).value_or(group.value);
-            put(group, group.value);
-            if (group.edge)
-                on_edge.push_back(group);
-            if (group.on_border)
-                border.push_back({border_key(scene, strip.surface, strip.front, group.corner), std::move(group)});
-        }
-    };
-    const auto add = [&](const std::vector<char>& chosen) {
-        const std::vector<Strip> strips = strips_of(scene, chosen);
-        const Blocks blocks = {strips.size(), strips_together};
-        const std::size_t before = borders.size();
-        borders.resize(before + blocks.count());
-        on_edges.resize(before + blocks.count());
-        parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
-            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k)
-                add_strip(strips[k], borders[before + block], on_edges[before + block]);
-        });
-    };
-    add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
-    if (!shown.empty())
-        add(surfaces_beside(scene, shown, borders, threads));
-    join_borders(scene, borders, threads, put);
-    interpolate_hanging_nodes(on_edges, corners_);
+    return errors;
 }
 
 Rgb SmoothShading::at(const Hit& hit) const

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "geometry/hit.h"
-#include "image/shading/patch_slopes.h"
-#include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
@@ -24,17 +22,9 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
 class SmoothShading
 {
 public:
-    /// The scene and the values, one per patch, must outlive this object. `shown`: per surface, nonzero if at() or
+    /// `values`: one per patch. The scene must outlive this object. `shown`: per surface, nonzero if at() or
     /// at_corners() will be called for it; empty means all surfaces. Few shown surfaces save time.
-    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
-                  const std::vector<char>& shown = {});
-
-    /// The same with all surfaces shown. `residuals` receives an indicator of the interpolation error per patch: the
-    /// open share of the patch (VisiblePatches) times the sum of two terms. The first is the mean square, over corners
-    /// and channels, of the difference between the corner values and the linear function of the patch. The second is
-    /// 1/40 of the mean squared second derivative at the patch, which patch_slopes() returns in its parameter `bends`.
-    SmoothShading(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads,
-                  std::vector<double>& residuals);
+    SmoothShading(const Scene& scene, const std::vector<Rgb>& values, int threads, const std::vector<char>& shown = {});
 
     /// The interpolated value at a hit on a side that has patches.
     Rgb at(const Hit& hit) const;
@@ -43,13 +33,15 @@ public:
     std::array<Rgb, 4> at_corners(std::uint32_t patch) const;
 
 private:
-    void find_corners(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes, int threads,
-                      const std::vector<char>& shown);
-
     const Scene& scene_;
-    const std::vector<Rgb>& values_;
     std::vector<Rgb> corners_; ///< CornerLattice::per_cell slots for each patch
 };
+
+/// An indicator of the error of SmoothShading per patch: the open share of the patch (VisiblePatches) times the sum of
+/// two terms. The first is the mean square, over corners and channels, of the difference between the corner values and
+/// the linear function of the patch. The second is 1/40 of the mean squared second derivative at the patch, which
+/// patch_slopes() returns in its parameter `bends`.
+std::vector<double> interpolation_errors(const Scene& scene, const std::vector<Rgb>& values, int threads);
 
 /// The radiosity as smooth pictures show it, with textures at full resolution although light is known per patch only:
 /// the radiosity that patches would have without the detail of their texture is interpolated (SmoothShading), and the
@@ -60,18 +52,15 @@ public:
     /// `radiosity` [W/m^2] per patch. `shown`: as for SmoothShading. The scene must outlive this object.
     ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads,
                    const std::vector<char>& shown = {})
-        : scene_(scene), plain_(without_texture(scene, radiosity)), shading_(scene, plain_, threads, shown)
+        : scene_(scene), shading_(scene, without_texture(scene, radiosity), threads, shown)
     {
     }
-    ShownRadiosity(const ShownRadiosity&) = delete;
-    ShownRadiosity& operator=(const ShownRadiosity&) = delete;
 
     /// [W/m^2] at a hit on a side that has patches.
     Rgb at(const Hit& hit) const;
 
 private:
     const Scene& scene_;
-    std::vector<Rgb> plain_;
     SmoothShading shading_;
 };
 

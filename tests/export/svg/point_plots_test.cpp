@@ -26,7 +26,7 @@ bool is_well_formed(const std::string& xml)
         if (xml[at] != '<') {
             if (xml[at] == '>' || (open.empty() && xml[at] != '\n'))
                 return false;
-            if (xml[at] == '&' && xml.find(';', at) > at + 4)
+            if (xml[at] == '&' && xml.find(';', at) > at + 5)
                 return false;
             ++at;
             continue;

@@ -319,16 +319,15 @@ TEST_CASE("slopes at a border continue those inside, and are none where they dis
 
 // x^2: linear functions of slope 2 x meet at the corners, and the slope changes by 2 from patch to patch towards two of
 // four neighbours; at the border towards one of three, and counts 40 times.
-TEST_CASE("the residual of a quadratic function is its bend alone")
+TEST_CASE("the interpolation error of a quadratic function is its bend alone")
 {
     SceneBuilder builder = with_lamp();
     builder.rectangle({0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}, {0.0, 8.0, 0.0}, builder.grey(0.5, 0.0));
     const Scene scene = builder.scene(1.0);
     const auto square = [](Vec3 p) { return (p.x + 0.5) * (p.x + 0.5); };
-    std::vector<double> residuals;
-    const SmoothShading shading(scene, at_centres(scene, square), 1, residuals);
-    CHECK(residuals[scene.patch_at(1, 0.51, 0.51, true)] == doctest::Approx(2.0 * 2.0 / 2.0 / 40.0));
-    CHECK(residuals[scene.patch_at(1, 0.51, 0.01, true)] == doctest::Approx(2.0 * 2.0 * 2.0 / 3.0));
+    const std::vector<double> errors = interpolation_errors(scene, at_centres(scene, square), 1);
+    CHECK(errors[scene.patch_at(1, 0.51, 0.51, true)] == doctest::Approx(2.0 * 2.0 / 2.0 / 40.0));
+    CHECK(errors[scene.patch_at(1, 0.51, 0.01, true)] == doctest::Approx(2.0 * 2.0 * 2.0 / 3.0));
 }
 
 // A floor on which something stands.
