@@ -43,10 +43,10 @@ std::string number_text(double value)
 template <class Values, class Format>
 std::string list(const Values& values, const Format& format)
 {
-    std::string result;
+    std::vector<std::string> texts;
     for (const auto& value : values)
-        result += (result.empty() ? "" : ", ") + format(value);
-    return "[" + result + "]";
+        texts.push_back(format(value));
+    return "[" + join(texts) + "]";
 }
 
 } // namespace
@@ -64,18 +64,6 @@ JsonObject& JsonObject::number(std::string_view key, double value)
 {
     return add(key, number_text(value));
 }
-JsonObject& JsonObject::count(std::string_view key, std::uint64_t value)
-{
-    return add(key, std::to_string(value));
-}
-JsonObject& JsonObject::boolean(std::string_view key, bool value)
-{
-    return add(key, value ? "true" : "false");
-}
-JsonObject& JsonObject::null(std::string_view key)
-{
-    return add(key, "null");
-}
 JsonObject& JsonObject::numbers(std::string_view key, const std::vector<double>& values)
 {
     return add(key, list(values, number_text));
@@ -84,10 +72,6 @@ JsonObject& JsonObject::texts(std::string_view key, const std::vector<std::strin
 {
     return add(key, list(values, quoted));
 }
-JsonObject& JsonObject::object(std::string_view key, const JsonObject& value)
-{
-    return add(key, value.inline_form());
-}
 JsonObject& JsonObject::objects(std::string_view key, const std::vector<JsonObject>& values)
 {
     return add(key, list(values, [](const JsonObject& object) { return "\n    " + object.inline_form(); }));
@@ -95,18 +79,12 @@ JsonObject& JsonObject::objects(std::string_view key, const std::vector<JsonObje
 
 std::string JsonObject::inline_form() const
 {
-    std::string result;
-    for (const std::string& member : members_)
-        result += (result.empty() ? "" : ", ") + member;
-    return "{" + result + "}";
+    return "{" + join(members_) + "}";
 }
 
 std::string JsonObject::document() const
 {
-    std::string result;
-    for (const std::string& member : members_)
-        result += (result.empty() ? "  " : ",\n  ") + member;
-    return "{\n" + result + "\n}\n";
+    return "{\n  " + join(members_, ",\n  ") + "\n}\n";
 }
 
 } // namespace multipath

@@ -15,16 +15,16 @@ class JsonObject
 public:
     JsonObject& text(std::string_view key, std::string_view value);
     JsonObject& number(std::string_view key, double value);
-    JsonObject& count(std::string_view key, std::uint64_t value);
-    JsonObject& boolean(std::string_view key, bool value);
-    JsonObject& null(std::string_view key);
+    JsonObject& count(std::string_view key, std::uint64_t value) { return add(key, std::to_string(value)); }
+    JsonObject& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
+    JsonObject& null(std::string_view key) { return add(key, "null"); }
     JsonObject& numbers(std::string_view key, const std::vector<double>& values);
     JsonObject& texts(std::string_view key, const std::vector<std::string>& values);
-    JsonObject& object(std::string_view key, const JsonObject& value);
+    JsonObject& object(std::string_view key, const JsonObject& value) { return add(key, value.inline_form()); }
     JsonObject& objects(std::string_view key, const std::vector<JsonObject>& values);
 
-    /// The text of a JSON file: one indented line per member of the object, and one line per element of an array that
-    /// objects() added.
+    /// The text of a JSON file with at least one member: one indented line per member of the object, and one line per
+    /// element of an array that objects() added.
     std::string document() const;
 
 private:

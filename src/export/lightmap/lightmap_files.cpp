@@ -70,8 +70,6 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
                          const std::vector<GlbCamera>& cameras, const std::vector<std::string>& comments, Vec3 up)
 {
     const PatchMesh mesh = undivided_mesh(scene);
-    GltfContent content;
-    content.parts = undivided_parts(mesh, scene);
     const auto in_atlas = [&](const MeshSide& side, std::size_t vertex) {
         const auto [u, v] = corner_of(scene, side, vertex - side.first_vertex);
         return gltf_texture_coordinates(map.frame(side.surface, side.front).at(u, v));
@@ -80,15 +78,16 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
         const auto [u, v] = corner_of(scene, side, vertex - side.first_vertex);
         return gltf_texture_coordinates(mesh_texture_frame(scene, side.surface).at(u, v));
     };
-    content.attributes = {{"TEXCOORD_0", 2, false, in_atlas}, {"TEXCOORD_1", 2, true, in_own_texture}};
-    content.textures = {{"lightmap", {"image/png", atlas_png}, false, false}};
-    content.shown_texture = [](const MaterialPart&) { return 0; };
-    content.cameras = cameras;
-    content.comments = comments;
-    content.scale = scale;
-    content.up = up;
-    content.instead = "fewer surfaces";
-    return gltf_bytes(mesh, scene, content);
+    return gltf_bytes(mesh, scene,
+                      {undivided_parts(mesh, scene),
+                       {{"TEXCOORD_0", 2, false, in_atlas}, {"TEXCOORD_1", 2, true, in_own_texture}},
+                       {{"lightmap", {"image/png", atlas_png}, false, false}},
+                       [](const MaterialPart&) { return 0; },
+                       cameras,
+                       comments,
+                       scale,
+                       up,
+                       "fewer surfaces"});
 }
 
 std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::string& mtl_name,

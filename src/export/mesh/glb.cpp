@@ -57,22 +57,16 @@ std::vector<GltfAttribute> attributes_of(const PatchMesh& mesh, const Scene& sce
 std::string glb_bytes(const PatchMesh& mesh, const Scene& scene, double scale, const std::vector<GlbCamera>& cameras,
                       const std::vector<std::string>& comments, const std::vector<ImageFile>& images, Vec3 up)
 {
-    GltfContent content;
-    content.parts = material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.shows_texture(surface); });
-    content.attributes = attributes_of(mesh, scene, scale);
-    for (std::size_t k = 0; k < images.size(); ++k) {
-        const Texture& texture = *scene.file().textures[k];
-        content.textures.push_back({texture.name(), images[k], texture.repeats()});
-    }
-    content.shown_texture = [&](const MaterialPart& part) {
+    std::vector<GltfTexture> textures;
+    for (std::size_t k = 0; k < images.size(); ++k)
+        textures.push_back({scene.file().textures[k]->name(), images[k], scene.file().textures[k]->repeats()});
+    const auto shown_texture = [&](const MaterialPart& part) {
         return part.textured ? std::optional<std::size_t>(scene.materials()[part.material].texture) : std::nullopt;
     };
-    content.cameras = cameras;
-    content.comments = comments;
-    content.scale = scale;
-    content.up = up;
-    content.instead = "a PLY or OBJ, or larger patches";
-    return gltf_bytes(mesh, scene, content);
+    return gltf_bytes(mesh, scene,
+                      {material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.shows_texture(surface); }),
+                       attributes_of(mesh, scene, scale), textures, shown_texture, cameras, comments, scale, up,
+                       "a PLY or OBJ, or larger patches"});
 }
 
 } // namespace multipath

@@ -159,18 +159,18 @@ void IndirectGrid::set(int x, int y, const IndirectSample& sample)
 std::optional<Rgb> IndirectGrid::irradiance(const GatherPoint& receiver, int x, int y) const
 {
     const Shared far = shared(receiver, x, y, far_reach, 2);
-    const Shared found = is_enough(far) ? far : shared(receiver, x, y, near_reach, 1);
+    const Shared found = far.is_enough() ? far : shared(receiver, x, y, near_reach, 1);
     return found.weights > 0.0 ? std::optional<Rgb>((1.0 / found.weights) * found.irradiance) : std::nullopt;
 }
 
 bool IndirectGrid::is_supported(const GatherPoint& receiver, int x, int y) const
 {
-    return is_enough(shared(receiver, x, y, far_reach, 2));
+    return shared(receiver, x, y, far_reach, 2).is_enough();
 }
 
-bool IndirectGrid::is_enough(const Shared& found)
+bool IndirectGrid::Shared::is_enough() const
 {
-    return found.weights >= support * found.pixels;
+    return weights >= support * pixels;
 }
 
 /// Weighted sum over the samples in every `spacing`-th row and column within `reach`.

@@ -81,9 +81,10 @@ private:
         Rgb irradiance;       ///< [W/m^2] sum of weight * irradiance
         double weights = 0.0; ///< sum of the weights
         int pixels = 0;       ///< number of pixels visited, with or without a sample
+
+        bool is_enough() const; ///< true if the mean weight is high
     };
 
-    static bool is_enough(const Shared& found);
     Shared shared(const GatherPoint& receiver, int x, int y, int reach, int spacing) const;
 
     int width_;

@@ -179,16 +179,10 @@ private:
     /// separates them along the whole edge, the leg of a table does not.
     bool is_joined(const CellRing& ring, std::size_t one, std::size_t other) const
     {
-        if (is_free(ring.points[one], ring.points[other]))
-            return true;
-        const Vec3 middle = 0.5 * (centre(*ring.cells[one]) + centre(*ring.cells[other]));
-        return is_free(open_point(*ring.cells[one], middle), open_point(*ring.cells[other], middle));
-    }
-
-    /// True if both points exist and nothing lies between them.
-    bool is_free(const std::optional<OpenPoint>& from, const std::optional<OpenPoint>& to) const
-    {
-        return from && to && !occluded_between(scene_, *from, *to);
+        const std::optional<OpenPoint>& from = ring.points[one];
+        const std::optional<OpenPoint>& to = ring.points[other];
+        return (from && to && !occluded_between(scene_, *from, *to)) ||
+               patches_.are_joined(first_patch_ + ring.cells[one]->cell, first_patch_ + ring.cells[other]->cell);
     }
 
     Vec3 centre(CellCorner cell) const { return scene_.patch(first_patch_ + cell.cell).shape.centre(); }

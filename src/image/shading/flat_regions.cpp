@@ -239,7 +239,7 @@ std::optional<Rgb> FlatRegions::value(std::uint32_t surface, bool front, Vec3 co
         const double x = dot(way, region.axis_u);
         const double y = dot(way, region.axis_v);
         const double near = 1.0 - x * x - y * y; // its square falls smoothly to 0 at the distance `reach`
-        if (near > 0.0 && (occluders.empty() || !occluders.separate(own, points[k + 1])))
+        if (near > 0.0 && !occluders.separate(own, points[k + 1]))
             fit.add(bin.weight * near * near, x, y, (1.0 / bin.weight) * bin.value);
     }
     return fit.empty() ? std::nullopt : std::optional<Rgb>(fit.at_origin());

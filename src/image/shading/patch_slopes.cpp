@@ -6,12 +6,10 @@
 #include "image/shading/patch_slopes.h"
 
 #include "base/elementary.h"
-#include "image/shading/smoothing_groups.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace multipath {
 
@@ -138,25 +136,13 @@ private:
                     continue;
                 }
                 const std::uint32_t other = scene_.patch_at(surface, u, v, scene_.is_front(patch));
-                if (is_joined(patch, other))
+                if (patches_.are_joined(patch, other))
                     result.list[result.count++] = other;
                 else
                     result.at_border = true;
             }
         }
         return result;
-    }
-
-    /// True if the other patch is not entirely covered and not occluded from this one.
-    bool is_joined(std::uint32_t patch, std::uint32_t other) const
-    {
-        if (!(patches_.open_share(other) > 0.0))
-            return false;
-        const Vec3 middle = 0.5 * (scene_.patch(patch).shape.centre() + scene_.patch(other).shape.centre());
-        const std::optional<Vec3> from = patches_.open_point_near(patch, middle);
-        const std::optional<Vec3> to = patches_.open_point_near(other, middle);
-        const Vec3 normal = scene_.patch(patch).shape.normal();
-        return from && to && !occluded_between(scene_, {*from, normal}, {*to, normal});
     }
 
     /// The coordinate system of a patch: centroid and edges on the grid.

@@ -129,8 +129,6 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
 /// True if some point of one group is not occluded from some point of the other.
 bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerGroup& b)
 {
-    if (occluders.empty())
-        return !a.points.empty() && !b.points.empty();
     for (const OpenPoint& from : a.points)
         for (const OpenPoint& to : b.points)
             if (!occluders.separate(from, to))

@@ -38,8 +38,6 @@ public:
     /// `normals`: unit front normals of all surfaces. `points`: the set. The scene must outlive this object.
     NearbyOccluders(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
 
-    /// True if there are certainly no occluders between any two of the points; false if there may be some.
-    bool empty() const { return near_ && near_->empty(); }
     /// Equal to occluded_between() for two of the points.
     bool separate(const OpenPoint& a, const OpenPoint& b) const;
 

@@ -5,6 +5,7 @@
 #include "image/shading/visible_patches.h"
 
 #include "image/ray_fan.h"
+#include "image/shading/smoothing_groups.h"
 #include "parallel/blocks.h"
 #include "scene/tessellation.h"
 
@@ -146,6 +147,15 @@ std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 co
         }
     }
     return result;
+}
+
+bool VisiblePatches::are_joined(std::uint32_t a, std::uint32_t b) const
+{
+    const Surface shape = scene_.patch(a).shape;
+    const Vec3 middle = 0.5 * (shape.centre() + scene_.patch(b).shape.centre());
+    const std::optional<Vec3> from = open_point_near(a, middle);
+    const std::optional<Vec3> to = open_point_near(b, middle);
+    return from && to && !occluded_between(scene_, {*from, shape.normal()}, {*to, shape.normal()});
 }
 
 } // namespace multipath

@@ -36,6 +36,10 @@ public:
     /// covered.
     std::optional<Vec3> open_point_near(std::uint32_t patch, Vec3 corner) const;
 
+    /// True if no occluder, such as a wall, separates the open parts of two patches of one side at the middle between
+    /// their centres. False if one of them is entirely covered.
+    bool are_joined(std::uint32_t a, std::uint32_t b) const;
+
 private:
     std::uint32_t samples_along(std::uint32_t patch) const; ///< number of sample points along an edge: 1, 2, 4 or 8
 

@@ -36,7 +36,6 @@ TEST_CASE("what stands between points near each other is found as among all surf
                 for (const OpenPoint& b : points) {
                     const bool expected = occluded_between(scene, a, b);
                     REQUIRE(occluders.separate(a, b) == expected);
-                    REQUIRE_FALSE((expected && occluders.empty()));
                     occluded_pairs += expected ? 1 : 0;
                 }
         }
