@@ -4,7 +4,6 @@
 #include "image/exposure.h"
 
 #include "image/gather/gather_point.h"
-#include "parallel/blocks.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -66,27 +65,24 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
         visible_hits(scene, PixelRays(camera, options.width, options.height), options.threads);
     const Image black = {options.width, options.height, std::vector<Rgb>(hits.size())};
     Preview preview = {black, black};
-    const auto rows = static_cast<std::uint64_t>((options.height + block - 1) / block);
-    parallel_blocks(rows, options.threads, [&](std::uint64_t row) {
-        RayFan fan;
-        std::vector<std::optional<bool>> outdoors(static_cast<std::size_t>(options.width / block + 1));
-        const int first = block * static_cast<int>(row);
-        for (int y = first; y < std::min(options.height, first + block); ++y)
-            for (int x = 0; x < options.width; ++x) {
-                const std::optional<Hit>& hit = hits[pixel_index(options.width, x, y)];
-                if (!hit || scene.is_sky(hit->surface))
-                    continue;
-                std::optional<bool>& is_outdoors = outdoors[static_cast<std::size_t>(x / block)];
-                if (!is_outdoors)
-                    is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
-                if (*is_outdoors)
-                    continue;
-                const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
-                preview.all.at(x, y) = radiosity[patch];
-                if (scene.emittance(patch) == Rgb{})
-                    preview.lit.at(x, y) = radiosity[patch];
-            }
-    });
+    std::vector<std::optional<bool>> outdoors(
+        pixel_index(options.width / block + 1, 0, options.height / block + 1)); // per block
+    RayFan fan;
+    for (int y = 0; y < options.height; ++y)
+        for (int x = 0; x < options.width; ++x) {
+            const std::optional<Hit>& hit = hits[pixel_index(options.width, x, y)];
+            if (!hit || scene.is_sky(hit->surface))
+                continue;
+            std::optional<bool>& is_outdoors = outdoors[pixel_index(options.width / block + 1, x / block, y / block)];
+            if (!is_outdoors)
+                is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
+            if (*is_outdoors)
+                continue;
+            const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
+            preview.all.at(x, y) = radiosity[patch];
+            if (scene.emittance(patch) == Rgb{})
+                preview.lit.at(x, y) = radiosity[patch];
+        }
     return preview;
 }
 

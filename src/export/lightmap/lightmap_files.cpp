@@ -57,13 +57,6 @@ std::vector<MaterialPart> undivided_parts(const PatchMesh& mesh, const Scene& sc
     return material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.is_textured(surface); });
 }
 
-/// The `v` and `vt` lines of a corner.
-std::string obj_corner(Vec3 p, int digits, TexturePoint texture)
-{
-    p = p + Vec3{}; // never "-0"
-    return format("v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x, digits, p.y, digits, p.z, texture.s, texture.t);
-}
-
 } // namespace
 
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
@@ -102,8 +95,10 @@ std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::str
             std::string face = "f";
             for (std::size_t k = 0; k < side.vertex_count; ++k) {
                 const auto [u, v] = corner_of(scene, side, k);
-                text += obj_corner(scene.surfaces()[side.surface].at(u, v), digits,
-                                   map.frame(side.surface, side.front).at(u, v));
+                const Vec3 p = scene.surfaces()[side.surface].at(u, v) + Vec3{}; // never "-0"
+                const TexturePoint texture = map.frame(side.surface, side.front).at(u, v);
+                text += format("v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x, digits, p.y, digits, p.z, texture.s,
+                               texture.t);
                 const std::string number = std::to_string(++corner);
                 face += " " + number + "/" + number;
             }

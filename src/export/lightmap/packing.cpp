@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -125,7 +126,7 @@ std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_si
     std::stable_sort(tallest_first.begin(), tallest_first.end(), [&](std::uint32_t a, std::uint32_t b) {
         const Chart& one = charts[a % charts.size()];
         const Chart& other = charts[b % charts.size()];
-        return one.height != other.height ? one.height > other.height : one.width > other.width;
+        return std::tie(one.height, one.width) > std::tie(other.height, other.width);
     });
     std::optional<AtlasPacking> best = packed_at(charts, tallest_first, size, 0.0);
     if (!best)

@@ -11,14 +11,6 @@ namespace multipath {
 
 namespace {
 
-/// The numbers 0, 1, ... count - 1.
-std::vector<double> numbers_below(std::size_t count)
-{
-    std::vector<double> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    return numbers;
-}
-
 /// The matrix of a node, column by column.
 std::vector<double> node_matrix(const std::array<Vec3, 3>& axes, Vec3 place)
 {
@@ -77,7 +69,8 @@ GlbNodes glb_nodes(const Scene& scene, const std::vector<std::string>& mesh_name
                                    .numbers("matrix", matrix_of(camera, origin)));
         result.cameras.push_back(glb_camera(camera, scene));
     }
-    result.roots = numbers_below(result.nodes.size());
+    result.roots.resize(result.nodes.size());
+    std::iota(result.roots.begin(), result.roots.end(), 0.0);
     const std::array<Vec3, 3> axes = turned_upright(up);
     if (origin != Vec3{} || axes[1] != Vec3{0.0, 1.0, 0.0}) {
         const Vec3 place = origin.x * axes[0] + origin.y * axes[1] + origin.z * axes[2];

@@ -48,7 +48,8 @@ std::string svg_point(SvgPoint point)
 std::string svg_escaped(const std::string& text)
 {
     std::string result = html_escaped(text);
-    std::replace_if(result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
     return result;
 }
 

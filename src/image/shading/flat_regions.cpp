@@ -102,25 +102,19 @@ private:
 };
 
 /// Unites surfaces of one material that share an edge and lie in one plane.
-DisjointSets flat_sets(const Scene& scene, const std::vector<Vec3>& normals, int threads)
+DisjointSets flat_sets(const Scene& scene, const std::vector<Vec3>& normals)
 {
-    const SurfaceList& surfaces = scene.surfaces();
-    const auto count = static_cast<std::uint32_t>(surfaces.size());
-    const auto size = [&](std::uint32_t s) { return surfaces[s].shape == Shape::triangle ? 3u : 4u; };
-    std::vector<std::size_t> first(count + std::size_t{1});
-    for (std::uint32_t s = 0; s < count; ++s)
-        first[s + 1] = first[s] + size(s);
-    std::vector<Edge> edges(first.back());
-    parallel_numbers(count, threads, [&](std::uint32_t s) {
-        const FlatPolygon polygon = polygon_of(surfaces[s]);
-        std::array<std::uint64_t, 4> keys{};
-        for (std::size_t k = 0; k < polygon.size; ++k)
-            keys[k] = position_hash(scene, polygon.corners[k], scene.file().material[s]);
-        for (std::size_t k = 0; k < polygon.size; ++k) {
-            const auto [low, high] = std::minmax(keys[k], keys[(k + 1) % polygon.size]);
-            edges[first[s] + k] = {mix_bits(low) ^ high, s};
+    const auto count = static_cast<std::uint32_t>(scene.surfaces().size());
+    std::vector<Edge> edges;
+    for (std::uint32_t s = 0; s < count; ++s) {
+        std::vector<std::uint64_t> keys;
+        for (const Vec3 corner : corners_of(scene.surfaces()[s]))
+            keys.push_back(position_hash(scene, corner, scene.file().material[s]));
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            const auto [low, high] = std::minmax(keys[k], keys[(k + 1) % keys.size()]);
+            edges.push_back({mix_bits(low) ^ high, s});
         }
-    });
+    }
     std::sort(edges.begin(), edges.end());
     DisjointSets sets(count);
     for (std::size_t n = 1; n < edges.size(); ++n) {
@@ -152,7 +146,7 @@ FlatRegions::FlatRegions(const VisiblePatches& patches, int threads)
     });
     if (std::find(needle.begin(), needle.end(), 1) == needle.end())
         return;
-    DisjointSets sets = flat_sets(scene, normals_, threads);
+    DisjointSets sets = flat_sets(scene, normals_);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // set, surface
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
         if (scene.surface_material(s).emittance == Rgb{})
