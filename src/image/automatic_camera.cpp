@@ -224,20 +224,21 @@ std::vector<Camera> inside_cameras(const Room& room, Vec3 up, double aspect)
     std::vector<Camera> cameras;
     for (const double vertical : {58.0, 68.0})
         for (const double x : places)
-            for (const double z : places)
+            for (const double z : places) {
+                if (!at_wall(x) && !at_wall(z))
+                    continue;
+                const auto target = [&](double height) {
+                    return room.at(0.5 + 0.4 * (0.5 - x), height, 0.5 + 0.4 * (0.5 - z));
+                };
                 for (const double eye_height : {0.55, 0.65, 0.75})
                     for (const double target_height : {0.35, 0.45}) {
-                        if (!at_wall(x) && !at_wall(z))
-                            continue;
                         const Vec3 eye = room.at(x, eye_height, z);
-                        const auto target = [&](double height) {
-                            return room.at(0.5 + 0.4 * (0.5 - x), height, 0.5 + 0.4 * (0.5 - z));
-                        };
                         const double least =
                             eye_height - steepest * length(target(eye_height) - eye) / room.box.size().y;
                         cameras.push_back({eye, target(std::max(least, target_height)), up,
                                            field_of_view(vertical, vertical + 20.0, aspect)});
                     }
+            }
     return cameras;
 }
 

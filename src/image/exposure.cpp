@@ -40,19 +40,12 @@ double sky_share(const Scene& scene, const GatherPoint& point, Vec3 up, RayFan& 
     return static_cast<double>(seen) / sky_rays;
 }
 
-/// A preview: all that counts, and of this what does not emit. The rest is black.
+/// The radiosities [W/m^2] of the pixels of a preview that count and are not black.
 struct Preview
 {
-    Image all;
-    Image lit;
-
-    /// True if less than a twentieth of the picture counts.
-    bool shows_little() const
-    {
-        const auto black = std::count(all.pixels.begin(), all.pixels.end(), Rgb{});
-        return 20 * (static_cast<std::ptrdiff_t>(all.pixels.size()) - black) <
-               static_cast<std::ptrdiff_t>(all.pixels.size());
-    }
+    std::vector<Rgb> all;
+    std::vector<Rgb> lit;      ///< those that do not emit
+    bool shows_little = false; ///< less than a twentieth of the picture counts
 };
 
 /// Points that see a larger share of the sky than `most_sky` do not count.
@@ -63,8 +56,7 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
     const Vec3 up = normalized(camera.up);
     const std::vector<std::optional<Hit>> hits =
         visible_hits(scene, PixelRays(camera, options.width, options.height), options.threads);
-    const Image black = {options.width, options.height, std::vector<Rgb>(hits.size())};
-    Preview preview = {black, black};
+    Preview preview;
     std::vector<std::optional<bool>> outdoors(
         pixel_index(options.width / block + 1, 0, options.height / block + 1)); // per block
     RayFan fan;
@@ -79,10 +71,13 @@ Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const 
             if (*is_outdoors)
                 continue;
             const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
-            preview.all.at(x, y) = radiosity[patch];
+            if (radiosity[patch] == Rgb{})
+                continue;
+            preview.all.push_back(radiosity[patch]);
             if (scene.emittance(patch) == Rgb{})
-                preview.lit.at(x, y) = radiosity[patch];
+                preview.lit.push_back(radiosity[patch]);
         }
+    preview.shows_little = 20 * preview.all.size() < hits.size();
     return preview;
 }
 
@@ -101,7 +96,7 @@ double automatic_exposure(const Scene& scene, const std::vector<Rgb>& radiosity,
         most_sky = sky_share(scene, {GatherPoint::free, camera.eye, up}, up, fan) + much_more;
     }
     Preview preview = preview_of(scene, radiosity, camera, small, most_sky);
-    if (most_sky < all && preview.shows_little()) // the camera looks out of a window
+    if (most_sky < all && preview.shows_little) // the camera looks out of a window
         preview = preview_of(scene, radiosity, camera, small, all);
     const double scale = automatic_scale(preview.all, tone);
     return std::min(scale, largest_scale(preview.lit, tone, most_white));

@@ -63,10 +63,13 @@ public:
           source_light_(scene),
           indirect_light_(scene, radiosity, options.indirect ? options.gather_rays : 0, threads_),
           grid_(width_, height_),
-          centres_(pixel_index(width_, 0, height_))
+          hits_(pixel_index(width_, 0, height_)),
+          indirect_(hits_.size())
     {
-        if (options.indirect && options.gather_rays > 0)
-            gather_indirect_light(pixels);
+        if (options.indirect && options.gather_rays > 0) {
+            hits_ = visible_hits(scene, pixels, threads_);
+            gather_indirect_light();
+        }
     }
 
     /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y), emitted light included. `sample`: index
@@ -75,9 +78,10 @@ public:
     {
         const GatherPoint receiver = gather_point(scene_, hit);
         const std::uint64_t number = morton_number(x, y) * samples_ + static_cast<std::uint64_t>(sample);
-        const PixelCentre& centre = centres_[pixel_index(width_, x, y)];
-        const bool same_side = centre.indirect && centre.hit->surface == hit.surface && centre.hit->front == hit.front;
-        Rgb irradiance = same_side ? *centre.indirect : indirect_irradiance(receiver, x, y, fan);
+        const std::optional<Hit>& centre = hits_[pixel_index(width_, x, y)];
+        const std::optional<Rgb>& indirect = indirect_[pixel_index(width_, x, y)];
+        const bool same_side = indirect && centre->surface == hit.surface && centre->front == hit.front;
+        Rgb irradiance = same_side ? *indirect : indirect_irradiance(receiver, x, y, fan);
         const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
         const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
         irradiance += source_light_.irradiance(receiver, items, offset, fan);
@@ -86,26 +90,16 @@ public:
     }
 
 private:
-    /// The point seen through the centre of a pixel.
-    struct PixelCentre
-    {
-        std::optional<Hit> hit;
-        std::optional<Rgb> indirect; ///< [W/m^2] indirect irradiance; absent where it may vary within the pixel
-    };
-
     /// Where indirect light varies slowly, one pixel in four is sampled; close to other surfaces every pixel is.
-    void gather_indirect_light(const PixelRays& pixels)
+    void gather_indirect_light()
     {
-        const std::vector<std::optional<Hit>> hits = visible_hits(scene_, pixels, threads_);
-        for (std::size_t n = 0; n < hits.size(); ++n)
-            centres_[n].hit = hits[n];
         const auto for_each_centre = [&](int spacing, const auto& act) {
             const int rows = (height_ + spacing - 1) / spacing;
             parallel_blocks(static_cast<std::uint64_t>(rows), threads_, [&](std::uint64_t row) {
                 const int y = spacing * static_cast<int>(row);
                 RayFan fan;
                 for (int x = 0; x < width_; x += spacing)
-                    if (const std::optional<Hit>& hit = centre(x, y).hit)
+                    if (const std::optional<Hit>& hit = hits_[pixel_index(width_, x, y)])
                         act(gather_point(scene_, *hit), x, y, fan);
             });
         };
@@ -119,7 +113,7 @@ private:
         });
         for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan&) {
             if (grid_.is_supported(receiver, x, y))
-                centre(x, y).indirect = grid_.irradiance(receiver, x, y);
+                indirect_[pixel_index(width_, x, y)] = grid_.irradiance(receiver, x, y);
         });
     }
 
@@ -130,8 +124,6 @@ private:
         // A surface that no pixel centre nearby shows.
         return indirect_light_.at(receiver, *sequence_around_, morton_number(x, y), fan).irradiance;
     }
-
-    PixelCentre& centre(int x, int y) { return centres_[pixel_index(width_, x, y)]; }
 
     const Scene& scene_;
     int width_;
@@ -144,7 +136,9 @@ private:
     SourceLight source_light_;
     IndirectLight indirect_light_;
     IndirectGrid grid_;
-    std::vector<PixelCentre> centres_; ///< row by row
+    std::vector<std::optional<Hit>> hits_; ///< at the centre of each pixel
+    /// [W/m^2] Indirect irradiance of each pixel; absent where it may vary within the pixel.
+    std::vector<std::optional<Rgb>> indirect_;
 };
 
 } // namespace

@@ -69,10 +69,10 @@ double inverse_curve(ToneOperator tone, double output)
 }
 
 /// Rec. 709 luminances of the pixels that are not black, in ascending order.
-std::vector<double> sorted_luminances(const Image& image)
+std::vector<double> sorted_luminances(const std::vector<Rgb>& pixels)
 {
     std::vector<double> luminances;
-    for (const Rgb& pixel : image.pixels) {
+    for (const Rgb& pixel : pixels) {
         const double luminance = 0.2126 * pixel.r + 0.7152 * pixel.g + 0.0722 * pixel.b;
         if (luminance > 0.0 && std::isfinite(luminance))
             luminances.push_back(luminance);
@@ -129,9 +129,9 @@ double white_point(ToneOperator tone)
     return inverse_curve(tone, 1.0);
 }
 
-double automatic_scale(const Image& image, ToneOperator tone)
+double automatic_scale(const std::vector<Rgb>& pixels, ToneOperator tone)
 {
-    const std::vector<double> luminances = sorted_luminances(image);
+    const std::vector<double> luminances = sorted_luminances(pixels);
     if (luminances.empty())
         return 1.0;
     if (tone == ToneOperator::percentile)
@@ -139,9 +139,9 @@ double automatic_scale(const Image& image, ToneOperator tone)
     return inverse_curve(tone, middle_grey) / middle_luminance(luminances);
 }
 
-double largest_scale(const Image& image, ToneOperator tone, double white_share)
+double largest_scale(const std::vector<Rgb>& pixels, ToneOperator tone, double white_share)
 {
-    const std::vector<double> luminances = sorted_luminances(image);
+    const std::vector<double> luminances = sorted_luminances(pixels);
     if (luminances.empty())
         return std::numeric_limits<double>::infinity();
     const auto white = static_cast<std::size_t>(white_share * static_cast<double>(luminances.size()));

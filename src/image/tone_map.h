@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace multipath {
 
@@ -43,11 +44,11 @@ inline constexpr std::array<NamedToneOperator, 4> tone_operators = {{{"reinhard"
 /// [m^2/W] Automatic exposure: the scale at which `tone` shows the mid-tones of the image as middle grey. For
 /// ToneOperator::percentile it is the scale that shows the brightest part of the room, apart from its lamps, as white.
 /// Black pixels are ignored, and lamps and dark corners have little influence. Returns 1 for a black image.
-double automatic_scale(const Image& image, ToneOperator tone);
+double automatic_scale(const std::vector<Rgb>& pixels, ToneOperator tone);
 
 /// [m^2/W] The largest scale at which `tone` shows at most this share of the pixels that are not black as white.
 /// Infinite for a black image.
-double largest_scale(const Image& image, ToneOperator tone, double white_share);
+double largest_scale(const std::vector<Rgb>& pixels, ToneOperator tone, double white_share);
 
 /// [1] The input at which the output of the tone operator reaches white (1).
 double white_point(ToneOperator tone);

@@ -3,7 +3,6 @@
 #include "image/view_quality.h"
 
 #include "geometry/polygon.h"
-#include "image/image.h"
 #include "image/tone_map.h"
 
 #include <algorithm>
@@ -28,8 +27,8 @@ struct ViewCounts
     int escaped = 0;
     int sky = 0; ///< rays that leave a scene with daylight
     int backs = 0;
-    int in_the_way = 0; ///< hits so near that the surface hides the scene
-    Image exposed;      ///< [W/m^2] radiosity of the hits that do not emit, as a list of pixels
+    int in_the_way = 0;       ///< hits so near that the surface hides the scene
+    std::vector<Rgb> exposed; ///< [W/m^2] radiosity of the hits that do not emit
     int dark = 0;
     int near = 0;
     int floor = 0;   ///< hits of surfaces that face up
@@ -68,7 +67,7 @@ void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nea
         ++view.in_the_way;
     const std::uint32_t patch = scene.patch_at(hit->surface, hit->u, hit->v, hit->front);
     if (!lit_scene.radiosity.empty() && scene.emittance(patch) == Rgb{})
-        view.exposed.pixels.push_back(lit_scene.radiosity[patch]);
+        view.exposed.push_back(lit_scene.radiosity[patch]);
     const bool dark = !lit_scene.is_lit[patch];
     view.dark += dark ? 1 : 0;
     if (!hit->front || dark)
@@ -84,20 +83,20 @@ void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nea
 }
 
 /// Sum of the brightness of the pixels: 1 for each that has at least the usual radiosity [W/m^2].
-double brightness(const Image& image, double usual)
+double brightness(const std::vector<Rgb>& pixels, double usual)
 {
     double sum = 0.0;
-    for (const Rgb pixel : image.pixels)
+    for (const Rgb pixel : pixels)
         sum += std::min(1.0, mean(pixel) / usual);
     return sum;
 }
 
 /// Number of pixels that the automatic exposure shows white, or almost black.
-int badly_exposed(const Image& image)
+int badly_exposed(const std::vector<Rgb>& pixels)
 {
     constexpr double almost_black = 0.01; // linear light on the screen
-    const double scale = automatic_scale(image, ToneOperator::reinhard);
-    return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(), [scale](Rgb pixel) {
+    const double scale = automatic_scale(pixels, ToneOperator::reinhard);
+    return static_cast<int>(std::count_if(pixels.begin(), pixels.end(), [scale](Rgb pixel) {
         const double light = mean(screen_light(pixel, ToneOperator::reinhard, scale));
         return light < almost_black || light >= 1.0;
     }));

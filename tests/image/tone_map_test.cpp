@@ -42,7 +42,7 @@ double mean_byte(const ScreenImage& image)
 
 ScreenImage at_automatic_scale(const Image& image, ToneOperator tone)
 {
-    return tone_map(image, tone, automatic_scale(image, tone));
+    return tone_map(image, tone, automatic_scale(image.pixels, tone));
 }
 
 } // namespace
@@ -69,7 +69,7 @@ TEST_CASE("brighter stays brighter, and the white point is where white begins")
 TEST_CASE("light of one channel is exposed by its part of the luminance, of Rec. 709")
 {
     const auto scale_of = [](Rgb light) {
-        return automatic_scale({4, 3, std::vector<Rgb>(12, light)}, ToneOperator::linear);
+        return automatic_scale(std::vector<Rgb>(12, light), ToneOperator::linear);
     };
     const double white = scale_of({3, 3, 3});
     CHECK(white == doctest::Approx(0.2126 * scale_of({3, 0, 0})));
@@ -114,8 +114,8 @@ TEST_CASE("the scene's unit of light does not matter")
         std::vector<double> dim = room();
         for (double& value : dim)
             value *= 0x1p-30; // a power of two keeps every rounding
-        const double scale = automatic_scale(grey_image(room()), tone);
-        CHECK(automatic_scale(grey_image(dim), tone) == doctest::Approx(scale * 0x1p30).epsilon(1e-12));
+        const double scale = automatic_scale(grey_image(room()).pixels, tone);
+        CHECK(automatic_scale(grey_image(dim).pixels, tone) == doctest::Approx(scale * 0x1p30).epsilon(1e-12));
     }
 }
 
@@ -137,13 +137,13 @@ TEST_CASE("lamps and black corners do not decide the exposure")
     for (const NamedToneOperator& named : tone_operators) {
         const ToneOperator tone = named.tone;
         CAPTURE(named.name);
-        const double scale = automatic_scale(grey_image(room()), tone);
+        const double scale = automatic_scale(grey_image(room()).pixels, tone);
         for (const double lamp : {19.0, 1e6}) { // 30 times the middle, and more
             std::vector<double> values = room();
             values.insert(values.end(), 50, lamp); // 5 %
             values.insert(values.end(), 500, 0.0); // the dark around an open box
             // The middle half moves by 2.5 % of the ranks, which are a decade wide: 6 %.
-            CHECK(automatic_scale(grey_image(values), tone) == doctest::Approx(scale).epsilon(0.07));
+            CHECK(automatic_scale(grey_image(values).pixels, tone) == doctest::Approx(scale).epsilon(0.07));
             const ScreenImage image = at_automatic_scale(grey_image(values), tone);
             CHECK(image.bytes[3 * 1020] >= 250);
         }

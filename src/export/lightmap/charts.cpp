@@ -16,16 +16,11 @@ namespace {
 
 constexpr double same_place = 1e-6; ///< share of the scene's diagonal; points at most this far apart coincide
 
-/// An edge of a surface, directed counter-clockwise seen from the front.
-struct DirectedEdge
+/// A directed edge between two welded corners as one number.
+std::uint64_t edge_key(std::uint32_t from, std::uint32_t to)
 {
-    std::uint32_t from = 0; ///< indices of welded corners
-    std::uint32_t to = 0;
-    std::uint32_t surface = 0;
-
-    std::uint64_t key() const { return std::uint64_t{from} << 32 | to; }
-    std::uint64_t reverse_key() const { return std::uint64_t{to} << 32 | from; }
-};
+    return std::uint64_t{from} << 32 | to;
+}
 
 /// Divides the surfaces of a scene into charts.
 class ChartFinder
@@ -73,19 +68,18 @@ private:
         first_corner_.push_back(number_.size());
 
         for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s)
-            for_each_edge(s, [&](const DirectedEdge& edge) { edges_.push_back(edge); });
-        std::sort(edges_.begin(), edges_.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-            return a.key() != b.key() ? a.key() < b.key() : a.surface < b.surface;
-        });
+            for_each_edge(s, [&](std::uint32_t from, std::uint32_t to) { edges_.emplace_back(edge_key(from, to), s); });
+        std::sort(edges_.begin(), edges_.end());
     }
 
+    /// Calls visit(from, to) for the edges of a surface, counter-clockwise seen from the front.
     template <class Visit>
     void for_each_edge(std::uint32_t surface, const Visit& visit) const
     {
         const std::size_t begin = first_corner_[surface];
         const std::size_t end = first_corner_[surface + 1];
         for (std::size_t n = begin; n < end; ++n)
-            visit(DirectedEdge{number_[n], number_[n + 1 < end ? n + 1 : begin], surface});
+            visit(number_[n], number_[n + 1 < end ? n + 1 : begin]);
     }
 
     /// Flood fill from `seed` for chart `number`.
@@ -99,26 +93,26 @@ private:
         };
         take(seed);
         for (std::size_t next = 0; next < chart.surfaces.size(); ++next)
-            for_each_edge(chart.surfaces[next], [&](const DirectedEdge& edge) {
-                if (const auto neighbour = coplanar_neighbour(edge, seed, normal))
+            for_each_edge(chart.surfaces[next], [&](std::uint32_t from, std::uint32_t to) {
+                if (const auto neighbour = coplanar_neighbour(edge_key(to, from), seed, normal))
                     take(*neighbour);
             });
         lay_axes(chart, normal);
         return chart;
     }
 
-    /// A surface without a chart that lies beyond an edge in the plane of `seed`. Nothing if the chart of `seed`
-    /// already has a surface there, since the two would overlap.
-    std::optional<std::uint32_t> coplanar_neighbour(const DirectedEdge& edge, std::uint32_t seed, Vec3 normal) const
+    /// A surface without a chart that has this edge and lies in the plane of `seed`. Nothing if the chart of `seed`
+    /// already has a surface with this edge, since the two would overlap.
+    std::optional<std::uint32_t> coplanar_neighbour(std::uint64_t edge, std::uint32_t seed, Vec3 normal) const
     {
         std::optional<std::uint32_t> found;
-        auto beyond = std::lower_bound(edges_.begin(), edges_.end(), edge.reverse_key(),
-                                       [](const DirectedEdge& e, std::uint64_t key) { return e.key() < key; });
-        for (; beyond != edges_.end() && beyond->key() == edge.reverse_key(); ++beyond) {
-            if (chart_[beyond->surface] == chart_[seed])
+        for (auto beyond = std::lower_bound(edges_.begin(), edges_.end(), std::pair(edge, 0u));
+             beyond != edges_.end() && beyond->first == edge; ++beyond) {
+            const std::uint32_t s = beyond->second;
+            if (chart_[s] == chart_[seed])
                 return std::nullopt;
-            if (!found && chart_[beyond->surface] == no_chart && is_coplanar(beyond->surface, seed, normal))
-                found = beyond->surface;
+            if (!found && chart_[s] == no_chart && is_coplanar(s, seed, normal))
+                found = s;
         }
         return found;
     }
@@ -169,11 +163,11 @@ private:
     static constexpr std::uint32_t no_chart = 0xffffffffu;
 
     const Scene& scene_;
-    double tolerance_;                      ///< [scene units]
-    std::vector<std::uint32_t> chart_;      ///< per surface; no_chart if it has none yet
-    std::vector<std::size_t> first_corner_; ///< per surface, and one past the end
-    std::vector<std::uint32_t> number_;     ///< per corner: index after welding
-    std::vector<DirectedEdge> edges_;       ///< sorted by key
+    double tolerance_;                                           ///< [scene units]
+    std::vector<std::uint32_t> chart_;                           ///< per surface; no_chart if it has none yet
+    std::vector<std::size_t> first_corner_;                      ///< per surface, and one past the end
+    std::vector<std::uint32_t> number_;                          ///< per corner: index after welding
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_; ///< edge_key() and surface, sorted
 };
 
 } // namespace

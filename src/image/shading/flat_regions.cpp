@@ -47,13 +47,8 @@ bool is_needle(const Surface& shape)
     return longest * longest > slender * shape.area();
 }
 
-struct Edge
-{
-    std::uint64_t key; ///< hash of its ends, independent of their order
-    std::uint32_t surface;
-
-    bool operator<(const Edge& other) const { return key != other.key ? key < other.key : surface < other.surface; }
-};
+/// A hash of the ends of an edge, independent of their order, and a surface with this edge.
+using Edge = std::pair<std::uint64_t, std::uint32_t>;
 
 /// Weighted least-squares fit of a linear function, value = a + b x + c y (normal equations).
 class LinearFit
@@ -118,9 +113,9 @@ DisjointSets flat_sets(const Scene& scene, const std::vector<Vec3>& normals)
     std::sort(edges.begin(), edges.end());
     DisjointSets sets(count);
     for (std::size_t n = 1; n < edges.size(); ++n) {
-        const std::uint32_t a = edges[n - 1].surface;
-        const std::uint32_t b = edges[n].surface;
-        if (edges[n - 1].key == edges[n].key && dot(normals[a], normals[b]) > 0.0 &&
+        const auto [key, a] = edges[n - 1];
+        const std::uint32_t b = edges[n].second;
+        if (edges[n].first == key && dot(normals[a], normals[b]) > 0.0 &&
             length(cross(normals[a], normals[b])) < same_plane)
             sets.unite(a, b);
     }
