@@ -35,11 +35,13 @@ public:
     /// The charts of all surfaces; that with the largest surface is the first.
     std::vector<Chart> charts()
     {
-        const auto area = [&](std::uint32_t s) { return scene_.surfaces()[s].area(); };
-        std::vector<std::uint32_t> order(scene_.own_surfaces());
+        std::vector<double> areas;
+        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s)
+            areas.push_back(scene_.surfaces()[s].area());
+        std::vector<std::uint32_t> order(areas.size());
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return area(a) > area(b); });
+                         [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
         std::vector<Chart> charts;
         for (const std::uint32_t s : order)
             if (chart_[s] == no_chart)

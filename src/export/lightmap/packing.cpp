@@ -104,6 +104,13 @@ private:
 std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const std::vector<std::uint32_t>& tallest_first,
                                       std::uint32_t size, double scale)
 {
+    double area = 0.0;
+    for (const std::uint32_t n : tallest_first) {
+        const Chart& chart = charts[n % charts.size()];
+        area += static_cast<double>(chart_extent(chart.width, scale).texels) * chart_extent(chart.height, scale).texels;
+    }
+    if (area > static_cast<double>(size) * size)
+        return std::nullopt;
     AtlasPacking packing{size, scale, std::vector<AtlasPosition>(tallest_first.size())};
     AtlasSkyline skyline(size);
     for (const std::uint32_t n : tallest_first) {

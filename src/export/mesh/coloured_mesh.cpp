@@ -4,7 +4,9 @@
 #include "base/text_format.h"
 #include "export/csv_text.h"
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 
 namespace multipath {
 
@@ -89,10 +91,13 @@ namespace {
 
 void append_side(std::string& text, const PatchMesh& mesh, const MeshSide& side, int digits, const ScreenColour& colour)
 {
+    std::array<char, 128> line{};
     for (std::size_t n = side.first_vertex; n < side.first_vertex + side.vertex_count; ++n) {
         const Vec3 p = mesh.origin + to_vec3(mesh.positions[n]) + Vec3{}; // never "-0"
         const Rgb c = colour(to_rgb(mesh.radiosity[n]));
-        text += format("v %.*g %.*g %.*g %.4f %.4f %.4f\n", digits, p.x, digits, p.y, digits, p.z, c.r, c.g, c.b);
+        const int length = std::snprintf(line.data(), line.size(), "v %.*g %.*g %.*g %.4f %.4f %.4f\n", digits, p.x,
+                                         digits, p.y, digits, p.z, c.r, c.g, c.b);
+        text.append(line.data(), static_cast<std::size_t>(length));
     }
 }
 

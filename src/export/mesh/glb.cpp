@@ -28,8 +28,8 @@ Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point
 /// Factor from the radiosity of a textured surface without its detail to that with a white texture.
 Rgb white_factor(const Material& material)
 {
-    return by_channel([](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; },
-                       material.texture_scale, material.reflectance);
+    return by_channel([](double white, double mean) { return mean > 0.0 ? white / mean : 0.0; }, material.texture_scale,
+                      material.reflectance);
 }
 
 std::vector<GltfAttribute> attributes_of(const PatchMesh& mesh, const Scene& scene, double scale)

@@ -71,20 +71,20 @@ public:
     /// determine a slope.
     Rgb at_origin() const
     {
-        const auto subdeterminant = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+        const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
             return matrix_[i][k] * matrix_[j][l] - matrix_[i][l] * matrix_[j][k];
         };
         // The first row of the adjugate matrix (Cramer's rule).
-        const double a = subdeterminant(1, 2, 1, 2);
-        const double b = -subdeterminant(0, 2, 1, 2);
-        const double c = subdeterminant(0, 1, 1, 2);
+        const double a = minor(1, 2, 1, 2);
+        const double b = -minor(0, 2, 1, 2);
+        const double c = minor(0, 1, 1, 2);
         const double determinant = matrix_[0][0] * a + matrix_[1][0] * b + matrix_[2][0] * c;
         const double scale = matrix_[0][0] * matrix_[0][0] * matrix_[0][0];
         if (!(determinant > 1e-5 * scale))
             return (1.0 / matrix_[0][0]) * right_[0];
         const Rgb fitted = (1.0 / determinant) * (a * right_[0] + b * right_[1] + c * right_[2]);
         return by_channel([](double x, double low, double high) { return std::clamp(x, low, high); }, fitted, low_,
-                           high_);
+                          high_);
     }
 
 private:

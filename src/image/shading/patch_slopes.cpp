@@ -211,7 +211,7 @@ private:
             const Vec3 way = frame.way(centre_of(scene_.corners(other)));
             const Rgb change = 0.5 * (way.x * slope.along_u + way.y * slope.along_v);
             factor = by_channel([](double a, double b) { return std::min(a, b); }, factor,
-                                 by_channel(within, change, low, high));
+                                by_channel(within, change, low, high));
         }
         return {factor * slope.along_u, factor * slope.along_v};
     }

@@ -25,7 +25,7 @@ constexpr double darkest_texture = 1e-6;
 Rgb light_on(Rgb reflected, Rgb reflectance)
 {
     return by_channel([](double b, double rho) { return rho > darkest_texture ? b / rho : 0.0; }, reflected,
-                       reflectance);
+                      reflectance);
 }
 
 } // namespace
