@@ -28,18 +28,13 @@ std::string folder_of(const std::string& path)
     return path.substr(0, path.find_last_of(folder_separators) + 1); // npos + 1 is 0
 }
 
-namespace {
-
 // A signal handler may neither wait for a lock nor use the heap, which another thread may be changing at that moment.
 // So the names are kept in slots of a fixed size, each with an atomic state.
-
-enum class State { empty, changing, full, complete };
-
-} // namespace
-
 struct UnfinishedSlot
 {
-    std::atomic<State> state{State::empty};
+    enum State { empty, changing, full, complete };
+
+    std::atomic<State> state{empty};
     std::array<char, 4096> path{}; ///< no system opens longer ones
     std::array<char, 4096> target{};
 };
@@ -47,25 +42,25 @@ struct UnfinishedSlot
 namespace {
 
 std::array<UnfinishedSlot, 64> slots;
-static_assert(std::atomic<State>::is_always_lock_free, "a signal handler reads it");
+static_assert(std::atomic<UnfinishedSlot::State>::is_always_lock_free, "a signal handler reads it");
 
 } // namespace
 
 void ForgetUnfinished::operator()(UnfinishedSlot* slot) const noexcept
 {
-    slot->state = State::empty;
+    slot->state = UnfinishedSlot::empty;
 }
 
 Unfinished unfinished(const std::string& path, const std::string& target)
 {
     for (UnfinishedSlot& slot : slots) {
-        State expected = State::empty;
+        UnfinishedSlot::State expected = UnfinishedSlot::empty;
         if (std::max(path.size(), target.size()) >= slot.path.size() ||
-            !slot.state.compare_exchange_strong(expected, State::changing))
+            !slot.state.compare_exchange_strong(expected, UnfinishedSlot::changing))
             continue;
         std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
         std::memcpy(slot.target.data(), target.c_str(), target.size() + 1);
-        slot.state = State::full;
+        slot.state = UnfinishedSlot::full;
         return Unfinished(&slot);
     }
     return nullptr;
@@ -74,23 +69,23 @@ Unfinished unfinished(const std::string& path, const std::string& target)
 void complete(const Unfinished& file) noexcept
 {
     if (file)
-        file->state = State::complete;
+        file->state = UnfinishedSlot::complete;
 }
 
 void remove_unfinished() noexcept
 {
     for (const UnfinishedSlot& slot : slots)
-        if (slot.state == State::full || slot.state == State::complete)
+        if (slot.state == UnfinishedSlot::full || slot.state == UnfinishedSlot::complete)
             remove_file(slot.path.data());
 }
 
 void settle_unfinished(void (*not_written)(const char* target)) noexcept
 {
     for (const UnfinishedSlot& slot : slots) {
-        const State state = slot.state;
-        if (state == State::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
+        const UnfinishedSlot::State state = slot.state;
+        if (state == UnfinishedSlot::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
             continue;
-        if (state == State::full || state == State::complete)
+        if (state == UnfinishedSlot::full || state == UnfinishedSlot::complete)
             not_written(slot.target.data());
     }
     remove_unfinished();

@@ -71,13 +71,13 @@ public:
     /// determine a slope.
     Rgb at_origin() const
     {
-        const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+        const auto subdeterminant = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
             return matrix_[i][k] * matrix_[j][l] - matrix_[i][l] * matrix_[j][k];
         };
         // The first row of the adjugate matrix (Cramer's rule).
-        const double a = minor(1, 2, 1, 2);
-        const double b = -minor(0, 2, 1, 2);
-        const double c = minor(0, 1, 1, 2);
+        const double a = subdeterminant(1, 2, 1, 2);
+        const double b = -subdeterminant(0, 2, 1, 2);
+        const double c = subdeterminant(0, 1, 1, 2);
         const double determinant = matrix_[0][0] * a + matrix_[1][0] * b + matrix_[2][0] * c;
         const double scale = matrix_[0][0] * matrix_[0][0] * matrix_[0][0];
         if (!(determinant > 1e-5 * scale))
