@@ -13,6 +13,7 @@
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into build/multipath-VERSION.tar.gz
 # make dist-windows  packs program, scenes and documents for Windows into a .zip there, by WINDOWS_CXX
+# make lab        makes the laboratory, build/lab.html: the program in a page of a browser; needs Emscripten (em++)
 # make clean      removes what make made
 # CXX, CXXFLAGS, BUILD (folder of the objects), TESTS (folder of compiled tests, which are used as they are) and DOCTEST
 # (folder that holds doctest/doctest.h) may be set; V=1 shows the commands, WERROR=-Werror makes warnings errors.
@@ -25,6 +26,7 @@ BUILD    ?= build
 triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
 windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
 exe      := $(if $(windows),.exe)
+pthread  ?= -pthread
 PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(exe)
 run       = $(if $(windows),$(if $(filter Windows_NT,$(OS)),,wine)) "$(abspath $(PROGRAM))"
 # Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
@@ -42,7 +44,7 @@ WINDRES  ?= $(shell for name in $(firstword $(subst -g++, ,$(CXX)))-windres wind
                 command -v $$name && break; done)
 endif
 # Contracted multiply-adds and reassociated sums would make results depend on the compiler.
-COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno -pthread -MMD -MP \
+COMPILE   = $(CXX) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(machine) -ffp-contract=off -fno-math-errno $(pthread) -MMD -MP \
             -iquote . -Isrc -I$(BUILD)/generated
 
 Q         = $(if $(V),,@)
@@ -64,7 +66,7 @@ endif
 
 $(PROGRAM): $(objects) $(manifest)
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ $(LDFLAGS) -o $@
+	$(Q)$(CXX) $(CXXFLAGS) $(pthread) $^ $(LDFLAGS) -o $@
 
 $(manifest): src/base/platform/windows.rc src/base/platform/windows.manifest
 	@mkdir -p $(@D)
@@ -91,7 +93,7 @@ parts_tested = $(filter-out $(BUILD)/src/main.o,$(objects))
 
 $(BUILD)/unit_tests$(exe): $(parts_tested) $(test_objects)
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $(parts_tested) $(test_objects) $(LDFLAGS) -o $@
+	$(Q)$(CXX) $(CXXFLAGS) $(pthread) $(parts_tested) $(test_objects) $(LDFLAGS) -o $@
 
 $(test_objects): COMPILE += -Itests $(addprefix -isystem ,$(shell cat $(BUILD)/doctest.path 2>/dev/null))
 $(test_objects): | $(BUILD)/doctest.path
@@ -164,7 +166,7 @@ embree        = $(firstword $(foreach v,4 3,$(if $(wildcard /usr/include/embree$
 
 $(BUILD)/bench: $(bench_objects) $(filter-out $(BUILD)/src/main.o,$(objects))
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -pthread $^ $(addprefix -lembree,$(embree)) -o $@
+	$(Q)$(CXX) $(CXXFLAGS) $(pthread) $^ $(addprefix -lembree,$(embree)) -o $@
 
 $(bench_objects): COMPILE += -Itests/bench $(addprefix -DEMBREE_VERSION=,$(embree))
 
@@ -173,7 +175,7 @@ fuzz_objects = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/fuzz/*.cpp))
 
 $(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$(objects))
 	@echo "  link    $@"
-	$(Q)$(CXX) $(CXXFLAGS) -fsanitize=fuzzer -pthread $^ -o $@
+	$(Q)$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(pthread) $^ -o $@
 
 PREFIX    ?= /usr/local
 place      = "$(DESTDIR)$(PREFIX)"
@@ -218,9 +220,23 @@ dist-windows:
 	@cd $(BUILD) && zip -qr $(archive)-windows.zip $(archive) && rm -r $(archive)
 	@echo $(BUILD)/$(archive)-windows.zip
 
+# The laboratory: the program as WebAssembly in a page. Debian's Emscripten looks for its modules of node where NODE_PATH says.
+LAB_CXX ?= em++
+lab_made = $(BUILD)/lab/multipath.js
+
+lab:
+	@command -v $(LAB_CXX) >/dev/null || \
+	    { echo "lab: $(LAB_CXX) is missing; expected Emscripten, as in the package emscripten" >&2; exit 2; }
+	+@NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(MAKE) CXX=$(LAB_CXX) pthread= BUILD=$(BUILD)/lab PROGRAM=$(lab_made) \
+	    CXXFLAGS='$$(subst -Og,-Os,$$(OPTIMISE)) -msimd128 -fwasm-exceptions' \
+	    LDFLAGS='-sALLOW_MEMORY_GROWTH -sMODULARIZE -sEXPORT_NAME=Multipath -sINVOKE_RUN=0 -sFORCE_FILESYSTEM -sEXIT_RUNTIME \
+	    -sENVIRONMENT=worker -sEXPORTED_RUNTIME_METHODS=FS,callMain' $(lab_made)
+	@sh src/lab/page.sh $(BUILD)/lab > $(BUILD)/lab.html.new && mv $(BUILD)/lab.html.new $(BUILD)/lab.html
+	@echo $(BUILD)/lab.html
+
 clean:
 	rm -rf $(BUILD) $(PROGRAM) 5cubes.png 5cubes.ppm
 
-.PHONY: always demo paper results pictures test long-tests sweep coverage mutants bench install uninstall dist dist-windows clean
+.PHONY: always demo paper results pictures test long-tests sweep coverage mutants bench install uninstall dist dist-windows lab clean
 $(BUILD)/%.d: ;
 -include $(objects:.o=.d) $(test_objects:.o=.d) $(bench_objects:.o=.d) $(fuzz_objects:.o=.d)

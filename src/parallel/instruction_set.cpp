@@ -72,6 +72,8 @@ constexpr NamedSet all_sets[] = {
     {"sse2", always},
 #elif defined(__aarch64__)
     {"neon", always},
+#elif defined(__wasm_simd128__)
+    {"wasm", always},
 #elif defined(__VSX__)
     {"vsx", always},
 #endif

@@ -419,19 +419,6 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, boo
     return json;
 }
 
-std::vector<JsonObject> stages_json(const Scene& scene, const ViewerContent& content)
-{
-    std::vector<JsonObject> result;
-    for (const ViewerStage& stage : content.stages) {
-        JsonObject json;
-        json.count("lines", stage.lines);
-        add_light(json, "light", stage.radiosity);
-        add_corners(json, scene, stage.radiosity, content.render.threads);
-        result.push_back(json);
-    }
-    return result;
-}
-
 /// The JSON document of everything that the page shows (docs/builders/page.md).
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {
@@ -459,7 +446,6 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .objects("quantities", quantities)
         .count("shown", content.shown)
         .count("lines", content.lines)
-        .objects("stages", stages_json(scene, content))
         .objects("trace", chapters)
         .document();
 }

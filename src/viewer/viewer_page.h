@@ -32,13 +32,6 @@ struct ViewerQuantity
     std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has no value
 };
 
-/// The radiosity after a shorter run than the one that the page shows.
-struct ViewerStage
-{
-    std::uint64_t lines;
-    std::vector<Rgb> radiosity; ///< [W/m^2] per patch
-};
-
 /// Power that a patch sends along one segment of a traced line. For a step of a gathering walk: power that the patch
 /// where the step ends contributes to the patch where the walk starts. The power sent is `forecast` + `held`.
 struct ViewerTransfer
@@ -80,7 +73,6 @@ struct ViewerContent
     std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
     std::uint64_t lines = 0;                ///< number of lines of the run that computed the radiosity
-    std::vector<ViewerStage> stages;        ///< shorter runs, by increasing number of lines
     std::vector<ViewerChapter> chapters;
 };
 

@@ -25,7 +25,7 @@ HTML
 }
 
 # The functions of viewer_looks.js that look at each page of a run of the browser, which takes seconds to start.
-rooms="{ '5cubes': [patches_found, picture_compared, first_view, click_on_patch, stages_shown, lines_traced, quantities_shown, \
+rooms="{ '5cubes': [patches_found, picture_compared, first_view, click_on_patch, lines_traced, quantities_shown, \
     keys_pressed, view_saved, names_of_controls], sphere: [patches_found, picture_compared], sided: [patches_found, picture_compared], \
     textured: [patches_found, picture_compared], far: [patches_found, picture_compared, view_saved] }"
 chairs="{ '4chairs': [first_view] }"
@@ -141,9 +141,6 @@ check "the room is drawn: not black, the lamp white, walls that colour what is n
 
 clicked() { look 5cubes click_on_patch && holds 'selected == expected && shown == expected && changed > 0 && after_drag == expected'; }
 check "a click shows the patch in the panel and marks it; a drag does not" clicked
-
-stages() { look 5cubes stages_shown && holds 'stages > 2 && first_error > 2 * last_error && last_error > 0 && final_error == 0'; }
-check "the slider of lines shows the noise die" stages
 
 trace() {
     look 5cubes lines_traced && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&

@@ -130,16 +130,6 @@ async function click_on_patch() {
   find('after_drag', multipath.state.selected);
 }
 
-function stages_shown() {
-  multipath.change({ shading: 'flat' });
-  const last = pixels(), stages = Number(by_id('lines').max);
-  const error = stage => { choose('lines', stage); return difference(pixels(), last).mean; };
-  find('stages', stages);
-  find('first_error', error(0));
-  find('last_error', error(stages - 1));
-  find('final_error', error(stages));
-}
-
 async function lines_traced() {
   const power = () => multipath.arrived().reduce((sum, x) => sum + x, 0), before = multipath.statistics().mean[1];
   by_id('trace').open = true;

@@ -33,7 +33,7 @@ check "every method has its page and its traces" every_method
 with_error() { ends 0 solve scenes/5cubes.obj $small --replicates 2 --show error -o error.html && says error.html '"title": "Standard error of the radiosity"' && says error.html '"shown": 3'; }
 check "with replicates the page knows the error, and shows it first where pictures would" with_error
 
-few_lines() { ends 0 solve scenes/5cubes.obj --patch-size 1 --lines 3 --quiet -o few.html && says few.html '"stages": []'; }
+few_lines() { ends 0 solve scenes/5cubes.obj --patch-size 1 --lines 3 --quiet -o few.html && says few.html '"quantities"'; }
 check "few lines make no trouble" few_lines
 
 small_file() { ends 0 solve scenes/4chairs.obj --quiet -o 4chairs.html && [ "$(wc -c <4chairs.html)" -lt 3000000 ]; }

@@ -67,7 +67,6 @@ ViewerContent small_content(const Scene& scene)
     }
     content.quantities = {radiosity, number};
     content.lines = 1000;
-    content.stages = {{256, radiosity.values}};
     return content;
 }
 
@@ -198,7 +197,6 @@ TEST_CASE("the page holds the surfaces and how they are cut, and the values of t
     REQUIRE(numbers.size() == scene.patch_count());
     CHECK(std::isnan(numbers[3]));
     CHECK(numbers[4] == 4.0f);
-    CHECK(uint32_array(text_of(json, "light")).size() == scene.patch_count()); // of the stage
 }
 
 TEST_CASE("far from the origin, the page holds surfaces and lines relative to a point in the room")

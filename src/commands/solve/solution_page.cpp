@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 #include <string_view>
 
 namespace multipath {
@@ -45,21 +44,6 @@ void append(std::vector<ViewerChapter>& chapters, const StageTracer& tracer, con
         } catch (const InputError&) {
             continue; // the stage has fewer lines
         }
-    }
-}
-
-constexpr int first_power = 8;                ///< the first stage has 2^8 lines
-constexpr std::uint64_t most_values = 300000; ///< patches of all stages together; each takes about 11 bytes of the page
-
-/// The radiosity with these options; empty if the method cannot work with so few lines, or no surface absorbs light.
-std::vector<Rgb> radiosity_with(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
-                                const ProgressCallback& progress)
-{
-    try {
-        const Solution solution = solve(scene, preparation, options, progress);
-        return mean(solution.balance.absorbed) > 0.0 ? solution.radiosity : std::vector<Rgb>{};
-    } catch (const InputError&) {
-        return {};
     }
 }
 
@@ -108,44 +92,8 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
     return chapters;
 }
 
-std::vector<std::uint64_t> stage_lines(std::uint64_t lines, std::uint32_t patches)
-{
-    const std::uint64_t most = std::min<std::uint64_t>(most_values / patches, 20);
-    if (most == 0)
-        return {};
-    for (int step = 2;; step += 2) {
-        std::vector<std::uint64_t> result;
-        for (int power = first_power; power < 64 && std::uint64_t{1} << power < lines; power += step)
-            result.push_back(std::uint64_t{1} << power);
-        if (result.size() <= most)
-            return result;
-    }
-}
-
-std::vector<ViewerStage> solve_stages(const Scene& scene, const SolveOptions& options,
-                                      const std::vector<std::uint64_t>& lines, const ProgressCallback& progress)
-{
-    std::vector<ViewerStage> stages;
-    if (lines.empty())
-        return stages;
-    const Preparation preparation = prepare(scene, options);
-    const auto all = static_cast<double>(std::accumulate(lines.begin(), lines.end(), std::uint64_t{0}));
-    double done = 0.0;
-    for (const std::uint64_t count : lines) {
-        SolveOptions fewer = options;
-        fewer.lines = count;
-        const double share = static_cast<double>(count) / all;
-        std::vector<Rgb> radiosity =
-            radiosity_with(scene, preparation, fewer, [&](double part) { progress(done + share * part); });
-        done += share;
-        if (!radiosity.empty())
-            stages.push_back({count, std::move(radiosity)});
-    }
-    return stages;
-}
-
 std::string solution_page(const TracedRun& run, const Solution& solution, const PictureOptions& picture_options,
-                          const std::vector<std::string>& comments, const ProgressCallback& progress)
+                          const std::vector<std::string>& comments)
 {
     ViewerContent content;
     content.record = comments;
@@ -158,8 +106,6 @@ std::string solution_page(const TracedRun& run, const Solution& solution, const 
         if (content.quantities[k].key == picture_options.shown.name)
             content.shown = k;
     content.lines = solution.local_lines + solution.global_lines;
-    content.stages =
-        solve_stages(run.scene, run.options, stage_lines(content.lines, run.scene.patch_count()), progress);
     content.chapters = viewer_chapters(run);
     return viewer_page(run.scene, content);
 }

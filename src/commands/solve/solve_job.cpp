@@ -115,9 +115,7 @@ void write_results(const SolveJob& job, const Scene& scene, const Solution& solu
     const PictureOptions pictures =
         has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
     const auto page = [&] {
-        Progress progress("solving with fewer lines, for the page", progress_style(job.line));
-        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments,
-                             std::ref(progress));
+        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments);
     };
     const std::vector<Rgb> shown =
         has_view(outputs) ? pictures.shown.values(scene, solution, job.options.threads) : std::vector<Rgb>{};

@@ -11,6 +11,8 @@
 #include <immintrin.h>
 #elif defined(__aarch64__)
 #include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #define LANE_SET plain
@@ -54,6 +56,16 @@
 #include "parallel/lanes/one_set.inl"
 
 #define EVERY_TABLE &neon::table, &plain::table
+
+#elif defined(__wasm_simd128__) // by -msimd128; a browser that lacks it cannot load the module
+
+#define LANE_SET wasm
+#define LANE_SET_NAME "wasm"
+#define LANE_BYTES 16
+#define LANE_TARGET
+#include "parallel/lanes/one_set.inl"
+
+#define EVERY_TABLE &wasm::table, &plain::table
 
 #elif defined(__VSX__) // the default of compilers for little-endian POWER, which Linux uses
 

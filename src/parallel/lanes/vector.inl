@@ -182,6 +182,8 @@ KERNEL_CODE unsigned bits(LaneMask mask)
     return static_cast<unsigned>(_mm_movemask_ps(bits_as<FloatVector>(mask.x)));
 #elif defined(__x86_64__) && LANE_BYTES == 32
     return static_cast<unsigned>(_mm256_movemask_ps(bits_as<FloatVector>(mask.x)));
+#elif defined(__wasm_simd128__)
+    return wasm_i32x4_bitmask(bits_as<v128_t>(mask.x));
 #else
     constexpr IntVector bit_of_lane = {1, 2, 4, 8};
     const IntVector found = mask.x & bit_of_lane;

@@ -108,8 +108,6 @@ class Controls {
       m: () => viewer.change({ mesh: !state.mesh }),
       t: () => viewer.change({ quantity: (state.quantity + 1) % quantities.list.length }),
       '+': () => expose(0.5), '=': () => expose(0.5), '-': () => expose(-0.5),
-      '[': () => viewer.change({ stage: Math.max(0, state.stage - 1) }),
-      ']': () => viewer.change({ stage: Math.min(quantities.last_stage, state.stage + 1) }),
       p: () => in_trace(() => trace_panel.play(trace_panel.timer === null)),
       ',': () => in_trace(() => trace_panel.step(-1)),
       '.': () => in_trace(() => trace_panel.step(1)),

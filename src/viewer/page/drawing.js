@@ -177,23 +177,43 @@ const texels_per_row = 2048; // every WebGL 2 allows this width; the shader reli
 
 class Drawing {
   // Throws an Error with a message for the user if there is no WebGL 2.
-  constructor(canvas, room) {
+  constructor(canvas) {
     this.canvas = canvas;
-    this.room = room;
     this.fit(); // before the context exists: to resize it later is slow
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false });
     if (!this.gl)
       throw new Error('This browser cannot draw the room: it has no WebGL 2, or it is switched off.');
     this.room_program = this.program(room_vertex_shader, room_fragment_shader);
     this.mark_program = this.program(mark_vertex_shader, mark_fragment_shader);
-    this.make_surfaces();
     this.mark_array = this.gl.createVertexArray();
     this.mark_buffer = this.gl.createBuffer();
     this.mark_count = 0;
     this.textures = new Map(); // by their Values
-    this.arrived = this.texture('colours', new Float32Array(3));
     this.images = []; // decoded textures of the room, by their index
+    this.arrived = this.texture('colours', new Float32Array(3));
     this.blank = this.texture('colours', new Float32Array(3));
+  }
+
+  // Draws this room from now on.
+  set_room(room) {
+    const gl = this.gl;
+    for (const buffer of this.surface_buffers || [])
+      gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.surface_array || null);
+    this.images.forEach(texture => gl.deleteTexture(texture));
+    this.images = [];
+    this.forget([]);
+    this.room = room;
+    this.make_surfaces();
+  }
+
+  // Deletes the textures of all values but these.
+  forget(kept) {
+    for (const [values, texture] of this.textures)
+      if (!kept.includes(values)) {
+        this.gl.deleteTexture(texture);
+        this.textures.delete(values);
+      }
   }
 
   program(vertex, fragment) {
@@ -276,9 +296,10 @@ class Drawing {
     }
     this.surface_array = gl.createVertexArray();
     gl.bindVertexArray(this.surface_array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    this.surface_buffers = [gl.createBuffer(), gl.createBuffer()];
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.surface_buffers[0]);
     gl.bufferData(gl.ARRAY_BUFFER, numbers.subarray(0, words * n), gl.STATIC_DRAW);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.surface_buffers[1]);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices.subarray(0, used), gl.STATIC_DRAW);
     const [position, corner, numbers_at, on_texture] =
       ['position', 'corner', 'numbers', 'on_texture'].map(this.room_program.attribute);
@@ -371,7 +392,8 @@ class Drawing {
       Object.assign(this.canvas, { width, height });
   }
 
-  // look: { values, scale, tone, smooth, borders, arrived_scale, background }
+  // look: { values, scale, tone, smooth, borders, arrived_scale, background }, and for a comparison `other`, values to
+  // be shown on the left of the share `wipe` of the picture's width.
   draw(camera, look) {
     const gl = this.gl;
     this.fit();
@@ -385,7 +407,14 @@ class Drawing {
     gl.depthMask(true);
     gl.disable(gl.BLEND);
     if (this.room.two_sided) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
-    this.draw_room(to_clip, look);
+    const parts = look.other ? [[look.other, 0, look.wipe], [look.values, look.wipe, 1]] : [[look.values, 0, 1]];
+    gl.enable(gl.SCISSOR_TEST);
+    for (const [values, from, to] of parts) {
+      const left = Math.round(from * width);
+      gl.scissor(left, 0, Math.round(to * width) - left, height);
+      this.draw_room(to_clip, { ...look, values });
+    }
+    gl.disable(gl.SCISSOR_TEST);
     if (this.mark_count > 0)
       this.draw_marks(to_clip, width, height);
   }

@@ -14,18 +14,23 @@ function append_element(parent, name, text) {
 const grouped = count => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
 
 class Panel {
-  constructor(viewer, data) {
+  constructor(viewer) {
     this.viewer = viewer;
+    this.listen();
+    this.fold(window.matchMedia('(max-width: 640px)').matches);
+  }
+
+  // Names the room and what can be shown of it.
+  show(data) {
+    const { quantities } = this.viewer;
+    for (const list of ['record', 'quantity', 'tone'])
+      element(list).replaceChildren();
     element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
     for (const fact of [data.scene, `${grouped(data.patches)} patches`, ...data.record])
       append_element(element('record'), 'li', fact);
-    viewer.quantities.list.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
+    quantities.list.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
     for (const name of Object.keys(data.tone.scales))
       append_element(element('tone'), 'option', name === 'aces' ? 'film (ACES)' : name).value = name;
-    element('lines').max = viewer.quantities.last_stage;
-    element('lines-row').hidden = viewer.quantities.last_stage === 0;
-    this.listen();
-    this.fold(window.matchMedia('(max-width: 640px)').matches);
   }
 
   listen() {
@@ -39,7 +44,6 @@ class Panel {
     on('mesh', 'change', event => viewer.change({ mesh: event.target.checked }));
     on('exposure', 'input', event => viewer.change({ exposure: Number(event.target.value) }));
     on('tone', 'change', event => viewer.change({ tone: event.target.value }));
-    on('lines', 'input', event => viewer.change({ stage: Number(event.target.value) }));
     on('home', 'click', () => viewer.go_home());
     on('copy-view', 'click', () => this.copy_view());
     on('save-view', 'click', () => this.save('view.json',
@@ -76,7 +80,6 @@ class Panel {
 
   // Shows the state; called after every change.
   refresh(state) {
-    const { quantities } = this.viewer;
     element('quantity').value = state.quantity;
     for (const name of ['shading', 'motion'])
       for (const choice of document.getElementsByName(name))
@@ -85,11 +88,6 @@ class Panel {
     element('exposure').value = state.exposure;
     element('exposure-text').textContent = `${state.exposure > 0 ? '+' : ''}${number_text(state.exposure)} stops`;
     element('tone').value = state.tone;
-    element('lines').value = state.stage;
-    element('lines').disabled = state.quantity !== 0;
-    const lines = `${grouped(quantities.stages[state.stage].lines)} lines`;
-    element('lines-text').textContent = lines;
-    element('lines').setAttribute('aria-valuetext', lines);
     this.show_kind();
     this.show_patch(state.selected);
   }

@@ -1,6 +1,5 @@
 'use strict';
-// Quantities that can be shown: values of patches, as light or in false colours, and the radiosity of stages with fewer
-// lines.
+// Quantities that can be shown: values of patches, as light or in false colours.
 
 // Red, green and blue of a colour with a shared exponent (RGB9_E5).
 function shared_exponent_colour(word) {
@@ -54,15 +53,8 @@ class Quantities {
       key: quantity.key, title: quantity.title, unit: quantity.unit, legend: quantity.legend,
       ...(quantity.means ? means_of(quantity) : light_of(quantity, room)),
     }));
-    this.stages = data.stages.map(stage => ({ lines: stage.lines, ...light_of(stage, room) }));
-    this.stages.push({ lines: data.lines, ...this.list[0] });
     this.colour_map = bytes_of(data.colour_map);
   }
-
-  get last_stage() { return this.stages.length - 1; }
-
-  // The values to draw for a choice of quantity and stage. Only the radiosity, the first quantity, has stages.
-  drawn(quantity, stage) { return quantity === 0 ? this.stages[stage] : this.list[quantity]; }
 }
 
 // A number as text with this many digits.

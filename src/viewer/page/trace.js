@@ -90,11 +90,16 @@ class TracePanel {
   constructor(viewer) {
     this.viewer = viewer;
     this.timer = null;
-    const { chapters } = viewer.trace;
+    this.listen();
+  }
+
+  show_chapters() {
+    const { chapters } = this.viewer.trace;
+    element('chapters').replaceChildren();
     element('trace').hidden = chapters.length === 0;
     element('chapters').hidden = chapters.length < 2;
     chapters.forEach(({ title }, k) => this.add_choice(title, k));
-    this.listen();
+    this.open(element('trace').open);
   }
 
   add_choice(title, chapter) {

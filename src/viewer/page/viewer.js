@@ -1,26 +1,41 @@
 'use strict';
-// Connects the room, the camera, the drawing and the controls. The page starts at the end of this file.
+// Connects the room, the camera, the drawing and the controls. A page with the data of a room starts at the end of this
+// file.
 
 const tone_numbers = { reinhard: 0, aces: 1, linear: 2, percentile: 2 };
 
 class Viewer {
-  constructor(data, canvas) {
+  constructor(canvas) {
     this.canvas = canvas;
-    this.room = new Room(data);
-    this.quantities = new Quantities(data, this.room);
-    this.trace = new Trace(data.trace, this.room);
-    this.camera = new Camera(data.camera, this.room.size, this.room.zero);
-    this.drawing = new Drawing(canvas, this.room);
-    this.drawing.set_colour_map(this.quantities.colour_map);
-    this.scales = data.tone.scales;
-    this.state = {
-      quantity: data.shown, stage: this.quantities.last_stage, shading: data.shading, mesh: false, motion: 'orbit',
-      exposure: clamped(data.tone.exposure, -6, 6), tone: data.tone.first, selected: null };
-    this.panel = new Panel(this, data);
+    this.drawing = new Drawing(canvas);
+    this.state = { quantity: 0, shading: 'smooth', mesh: false, motion: 'orbit', exposure: 0, selected: null };
+    this.panel = new Panel(this);
     this.trace_panel = new TracePanel(this);
     this.controls = new Controls(this, canvas, this.panel, this.trace_panel);
     new ResizeObserver(() => this.request_draw()).observe(canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.request_draw());
+  }
+
+  // Shows a room.
+  show(data) {
+    this.room = new Room(data);
+    this.camera = new Camera(data.camera, this.room.size, this.room.zero);
+    this.drawing.set_room(this.room);
+    Object.assign(this.state, { quantity: data.shown, shading: data.shading, tone: data.tone.first, selected: null,
+      exposure: clamped(data.tone.exposure, -6, 6) });
+    this.show_light(data);
+  }
+
+  // Shows other results in the same room, as it is seen now.
+  show_light(data) {
+    this.drawing.forget(this.other ? [this.other.patches, this.other.corners] : []);
+    this.quantities = new Quantities(data, this.room);
+    this.trace = new Trace(data.trace, this.room);
+    this.drawing.set_colour_map(this.quantities.colour_map);
+    this.scales = data.tone.scales;
+    this.state.quantity = Math.min(this.state.quantity, this.quantities.list.length - 1);
+    this.panel.show(data);
+    this.trace_panel.show_chapters();
     this.change({});
   }
 
@@ -30,12 +45,18 @@ class Viewer {
     this.request_draw();
   }
 
+  // Shows these values on the left of the share `wipe` of the picture's width; null ends that.
+  compare(other, wipe) {
+    Object.assign(this, { other, wipe });
+    this.request_draw();
+  }
+
   change(part) {
     const selected = this.state.selected;
     Object.assign(this.state, part);
     this.panel.refresh(this.state);
     if (this.state.selected !== selected)
-      this.show_marks();
+      this.show_rays([]);
     this.request_draw();
   }
 
@@ -60,7 +81,7 @@ class Viewer {
 
   // Requests one drawing before the browser's next frame; repeated requests have no effect.
   request_draw() {
-    if (this.requested)
+    if (this.requested || !this.room)
       return;
     this.requested = true;
     requestAnimationFrame(() => {
@@ -74,12 +95,13 @@ class Viewer {
 
   // The current parameters of Drawing.draw().
   look() {
-    const { state, trace } = this, values = this.quantities.drawn(this.drawn_quantity, state.stage);
+    const { state, trace } = this, values = this.quantities.list[this.drawn_quantity];
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
       values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
       scale: values.light ? this.scales[state.tone] * 2 ** state.exposure : 1 / values.legend.top,
-      arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background };
+      arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background,
+      other: values.light && !trace.active ? this.other : null, wipe: this.wipe };
   }
 
   show_trace() {
@@ -93,6 +115,7 @@ class Viewer {
   // Sets the marks: the lines of the trace and the outline of the selected patch.
   show_marks() {
     const marks = this.trace.active ? this.trace.marks() : [];
+    marks.push(...(this.rays || []));
     if (this.state.selected !== null) {
       const corners = this.room.patch_outline(this.state.selected);
       corners.forEach((from, k) =>
@@ -100,6 +123,12 @@ class Viewer {
     }
     this.drawing.set_marks(marks);
     this.request_draw();
+  }
+
+  // Shows these rays until another patch is selected.
+  show_rays(rays) {
+    this.rays = rays;
+    this.show_marks();
   }
 
   // The hit seen at a position of the page, in pixels; null if nothing is seen there.
@@ -139,7 +168,7 @@ function script_interface(viewer) {
   return {
     ready: null, // [ms] from the opening of the page to its first complete picture
     decoded: null, // a promise that is fulfilled when all textures are decoded
-    room: viewer.room,
+    get room() { return viewer.room; },
     get state() { return { ...viewer.state, line: viewer.trace.line, chapter: viewer.trace.chapter }; },
     change: part => viewer.change(part),
     patch_at: (x, y) => viewer.patch_at(x, y),
@@ -150,19 +179,27 @@ function script_interface(viewer) {
     statistics: () => viewer.statistics(),
     view: () => viewer.view(),
     view_options: () => viewer.view_options(),
-    camera: viewer.camera,
+    get camera() { return viewer.camera; },
   };
 }
 
-try {
-  const data = JSON.parse(element('room').textContent), viewer = new Viewer(data, element('view'));
-  window.multipath = script_interface(viewer);
-  window.multipath.decoded = viewer.load_images(data.textures);
-  window.multipath.decoded.finally(() =>
-    requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); })));
-} catch (error) {
-  element('failure').textContent = error.message;
-  element('failure').hidden = false;
-  element('hint').hidden = true;
-  throw error;
+// Shows the room whose data are given; returns the viewer.
+function start_viewer(data) {
+  try {
+    const viewer = new Viewer(element('view'));
+    viewer.show(data);
+    window.multipath = script_interface(viewer);
+    window.multipath.decoded = viewer.load_images(data.textures);
+    window.multipath.decoded.finally(() =>
+      requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); })));
+    return viewer;
+  } catch (error) {
+    element('failure').textContent = error.message;
+    element('failure').hidden = false;
+    element('hint').hidden = true;
+    throw error;
+  }
 }
+
+if (element('room'))
+  start_viewer(JSON.parse(element('room').textContent));

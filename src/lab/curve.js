@@ -1,0 +1,112 @@
+'use strict';
+// The error against the number of lines, in a log-log plot with fitted slopes.
+
+const curve_colours = ['#0072b2', '#d55e00', '#8a8a8a']; // told apart by the colour-blind, too (Okabe and Ito)
+
+// The relative mean square error (1) of radiosities, three numbers per patch, against right ones, in the mean of the
+// channels: the sum of A (B - right)^2 over that of A right^2.
+function relative_error(found, right, areas) {
+  let wrong = 0, all = 0;
+  for (let i = 0; i < areas.length; ++i)
+    for (let k = 3 * i; k < 3 * i + 3; ++k) {
+      wrong += areas[i] * (found[k] - right[k]) ** 2;
+      all += areas[i] * right[k] ** 2;
+    }
+  return wrong / all;
+}
+
+// Slope and constant of log10(error) by log10(lines), by least squares over all points but the first of more than four,
+// and the standard error of the slope. Null with fewer than three points.
+function fitted(points) {
+  const used = points.slice(points.length > 4 ? points.length >> 2 : 0).filter(({ error }) => error > 0);
+  if (used.length < 3)
+    return null;
+  const x = used.map(({ lines }) => Math.log10(lines)), y = used.map(({ error }) => Math.log10(error)), n = used.length;
+  const mean_of = list => list.reduce((a, b) => a + b) / n, mx = mean_of(x), my = mean_of(y);
+  const sxx = x.reduce((sum, a) => sum + (a - mx) ** 2, 0), sxy = x.reduce((sum, a, k) => sum + (a - mx) * (y[k] - my), 0);
+  const slope = sxy / sxx, constant = my - slope * mx;
+  const rest = x.reduce((sum, a, k) => sum + (y[k] - constant - slope * a) ** 2, 0);
+  return { slope, constant, error: Math.sqrt(rest / Math.max(1, n - 2) / sxx) };
+}
+
+class Curve {
+  // `series`: lists of { name, points: [{ lines, error }] }, the first is the current run.
+  constructor(svg, text) {
+    Object.assign(this, { svg, text });
+  }
+
+  show(series) {
+    const points = series.flatMap(one => one.points).filter(({ error }) => error > 0);
+    this.svg.replaceChildren();
+    if (points.length === 0) {
+      this.text.textContent = 'The error (1) appears here as soon as the reference is solved.';
+      return;
+    }
+    this.range(points);
+    this.axes();
+    series.forEach((one, n) => this.draw(one, curve_colours[Math.min(n, 2)]));
+    this.text.textContent = series.filter(one => one.points.length > 0).map(one => this.sentence(one)).join(' ');
+  }
+
+  range(points) {
+    const x = points.map(({ lines }) => Math.log10(lines)), y = points.map(({ error }) => Math.log10(error));
+    this.low = [Math.floor(Math.min(...x)), Math.floor(Math.min(...y))];
+    this.high = [Math.max(this.low[0] + 3, Math.ceil(Math.max(...x))), Math.max(this.low[1] + 2, Math.ceil(Math.max(...y)))];
+  }
+  place(lines, error) {
+    const share = (value, k) => (Math.log10(value) - this.low[k]) / (this.high[k] - this.low[k]);
+    return [48 + 340 * share(lines, 0), 226 - 212 * share(error, 1)];
+  }
+
+  add(name, attributes, text = '') {
+    const child = document.createElementNS('http://www.w3.org/2000/svg', name);
+    for (const [key, value] of Object.entries(attributes))
+      child.setAttribute(key, value);
+    child.textContent = text;
+    this.svg.append(child);
+    return child;
+  }
+
+  axes() {
+    const label = (x, y, power, anchor) => {
+      const text = this.add('text', { x, y, 'text-anchor': anchor }, '10');
+      const raised = document.createElementNS('http://www.w3.org/2000/svg', 'tspan');
+      raised.setAttribute('dy', '-5');
+      raised.setAttribute('font-size', '9');
+      raised.textContent = String(power).replace('-', '−');
+      text.append(raised);
+    };
+    for (let power = this.low[0]; power <= this.high[0]; ++power) {
+      const [x] = this.place(10 ** power, 1);
+      this.add('line', { x1: x, x2: x, y1: 14, y2: 226, class: 'grid' });
+      label(x, 244, power, 'middle');
+    }
+    const step = Math.ceil((this.high[1] - this.low[1]) / 7);
+    for (let power = this.low[1]; power <= this.high[1]; power += step) {
+      const [, y] = this.place(1, 10 ** power);
+      this.add('line', { x1: 48, x2: 388, y1: y, y2: y, class: 'grid' });
+      label(42, y + 4, power, 'end');
+    }
+    this.add('text', { x: 218, y: 263, 'text-anchor': 'middle' }, 'lines N');
+    this.add('text', { x: -120, y: 12, 'text-anchor': 'middle', transform: 'rotate(-90)' }, 'relative MSE');
+  }
+
+  draw({ points }, colour) {
+    const right = points.filter(({ error }) => error > 0), places = right.map(({ lines, error }) => this.place(lines, error));
+    const fit = fitted(right);
+    if (fit) {
+      const ends = [right[0].lines, right[right.length - 1].lines];
+      const [a, b] = ends.map(n => this.place(n, 10 ** (fit.constant + fit.slope * Math.log10(n))));
+      this.add('line', { x1: a[0], y1: a[1], x2: b[0], y2: b[1], stroke: colour, 'stroke-dasharray': '5 4' });
+    }
+    this.add('polyline', { points: places.map(p => p.join()).join(' '), fill: 'none', stroke: colour, 'stroke-width': 2 });
+    for (const [cx, cy] of places)
+      this.add('circle', { cx, cy, r: 3.4, fill: colour });
+  }
+
+  sentence({ name, points }) {
+    const fit = fitted(points), last = points[points.length - 1];
+    const slope = fit ? `, slope ${number_text(Number(fit.slope.toFixed(2)))} ± ${fit.error.toFixed(2)}` : '';
+    return `${name}: error ${number_text(last.error, 2)} with ${grouped(last.lines)} lines${slope}.`;
+  }
+}

@@ -1,0 +1,278 @@
+'use strict';
+// The laboratory: solves the room with more and more lines, shows each result, and measures its error against a reference.
+
+class Laboratory {
+  // `bundled`: the files of the bundled rooms, bytes by name.
+  constructor(solver, bundled, lessons) {
+    Object.assign(this, { solver, bundled, lessons });
+    this.files = bundled; // those of the bundled rooms, or of the user's own
+    this.curve = new Curve(element('plot'), element('plot-text'));
+    this.run = null; // { name, key, results: [{ lines, values }], points, light }
+    this.kept = null; // run A of a comparison
+    this.state = state_of('');
+    this.controls = new LabControls(this);
+    this.follow(location.hash.slice(1));
+  }
+
+  // Takes the state of a link.
+  follow(link) {
+    if (link === link_of(this.state) && this.run)
+      return;
+    Object.assign(this.state, state_of(link));
+    if (!this.has_scene(this.state.scene))
+      this.state.scene = usual_state().scene;
+    this.controls.show_lesson(this.lesson());
+    this.begin();
+  }
+
+  change(part) {
+    Object.assign(this.state, part);
+    history.replaceState(null, '', '#' + link_of(this.state));
+    this.controls.refresh(this.state);
+  }
+
+  restart(part) {
+    this.change(part);
+    this.begin();
+  }
+
+  lesson() { return this.lessons.find(({ key }) => key === this.state.lesson); }
+
+  // A lesson begins in the room of its first run, and waits for the prediction.
+  choose_lesson(key) {
+    this.clear();
+    this.change({ ...state_of(this.lessons.find(lesson => lesson.key === key)?.runs[0] || ''), lesson: key });
+    this.controls.show_lesson(this.lesson());
+    this.queue = [];
+    this.begin(9);
+  }
+
+  // After a prediction the runs of the lesson follow each other.
+  predict(number) {
+    const lesson = this.lesson();
+    this.controls.show_answer(number);
+    this.clear();
+    this.predicted = number;
+    this.restart({ ...state_of(lesson.runs[0]), lesson: this.state.lesson });
+    this.queue = lesson.runs.slice(1);
+  }
+  has_scene(name) { return name === this.own_scene || this.bundled.has(`${name}.obj`); }
+  room_files() { return this.state.scene === this.own_scene ? this.files : this.bundled; }
+  scene_file() { return this.state.scene === this.own_scene ? this.own_scene : `${this.state.scene}.obj`; }
+  words(lines) { return command_words({ ...this.state, scene: this.scene_file() }, lines); }
+
+  command() {
+    return ['multipath', ...this.words(2 ** this.state.size), '-o', 'room.png'].map(word =>
+      /^[\w.,:=^\/-]+$/.test(word) ? word : `'${word}'`).join(' ');
+  }
+
+  // Starts from few lines, up to 2^size. The reference stays if only the method has changed.
+  begin(size = this.state.size) {
+    this.stop();
+    this.controls.refresh(this.state);
+    const key = [this.state.scene, this.state.patches].join();
+    if (key !== this.key) {
+      this.key = key;
+      this.reference = null;
+      this.reference_job?.stop();
+      this.reference_job = null;
+    }
+    this.run = { name: this.run_name(), key, results: [], points: [], light: null };
+    this.next = 256;
+    this.show_curve();
+    this.show_comparison();
+    this.go_on(size);
+  }
+
+  run_name() {
+    const named = key => settings.find(setting => setting.key === key).values[this.state[key]];
+    return `${named('method')}, ${named('sequence')}`;
+  }
+
+  get can_go_on() { return this.run && this.next <= 2 ** this.state.size; }
+  resume() {
+    if (!this.job && this.can_go_on)
+      this.go_on(this.state.size);
+  }
+  stop() {
+    this.job?.stop();
+    this.job = null;
+    this.queue = [];
+    this.controls.show_running(false);
+  }
+
+  // Solves with the next number of lines, and then with twice as many.
+  async go_on(size) {
+    const lines = this.next;
+    const job = this.solve(this.words(lines), share => this.controls.show_progress(lines, share));
+    this.job = job;
+    this.controls.show_running(true);
+    this.controls.show_progress(lines, 0);
+    const { code, message, files } = await job.done;
+    if (this.job !== job) // stopped
+      return;
+    this.job = null;
+    this.controls.show_message(code === 0 ? '' : message);
+    this.controls.show_running(false);
+    if (code !== 0)
+      return;
+    this.take(lines, room_data(files.get('room.html')));
+    this.controls.show_progress(lines, 1);
+    this.next = 2 * lines;
+    if (this.next <= 2 ** size)
+      this.go_on(size);
+    else
+      this.finish();
+  }
+
+  solve(words, progress) {
+    return this.solver.run({ words: [...words, '--threads', '1', '--progress', 'always', '-o', 'room.html'],
+      files: this.room_files(), wanted: ['room.html'], progress });
+  }
+
+  // The run is complete: the next one of a lesson, or its finding.
+  finish() {
+    if (this.queue?.length) {
+      const queue = this.queue;
+      this.keep();
+      this.restart({ ...state_of(queue[0]), lesson: this.state.lesson });
+      this.queue = queue.slice(1);
+    } else if (this.predicted !== undefined) {
+      this.tell_finding();
+    }
+  }
+
+  // The finding of a lesson is told when its runs are complete and measured.
+  tell_finding() {
+    const lesson = this.lesson(), runs = this.kept ? { A: this.kept, B: this.run } : { A: this.run };
+    if (!lesson || this.predicted === undefined || this.job || this.queue.length || Object.values(runs).some(run => !run.points.length))
+      return;
+    this.numbers = lesson_numbers(runs);
+    this.confirmed = holds(lesson.expects, this.numbers);
+    const verdict = this.predicted === lesson.right ? 'Right.' : `No: ${lesson.answers[lesson.right]}.`;
+    this.controls.show_finding(`${verdict} ${filled_text(lesson.finding, this.numbers)}` +
+      (this.confirmed ? '' : ' (These runs do not show it: with more lines they should.)'));
+  }
+
+  // Shows a result, which came with this many lines.
+  take(lines, data) {
+    if (!this.viewer)
+      this.viewer = start_viewer(data);
+    else if (this.shown_key === this.key)
+      this.viewer.show_light(data);
+    else
+      this.viewer.show(data);
+    this.shown_key = this.key;
+    this.run.light = this.viewer.quantities.list[0];
+    this.run.results.push({ lines, values: this.run.light.patches });
+    this.measure(this.run);
+    this.show_comparison();
+    if (!this.reference_job) // after the first picture
+      this.solve_reference(this.key);
+  }
+
+  async solve_reference(key) {
+    const job = this.solve(command_words({ ...usual_state(), patches: this.state.patches, scene: this.scene_file(),
+      method: 'reuse' }, 2 ** 21));
+    this.reference_job = job;
+    const { code, files } = await job.done;
+    if (code !== 0 || key !== this.key)
+      return;
+    const data = room_data(files.get('room.html')), room = new Room(data);
+    this.reference = numbers_of(data.quantities[0].values);
+    this.areas = Float64Array.from({ length: room.patch_count }, (_, i) => room.area(i));
+    this.measure(this.run);
+    this.tell_finding();
+  }
+
+  // The errors of the results of this run so far.
+  measure(run) {
+    if (this.reference)
+      run.points = run.results.map(({ lines, values }) =>
+        ({ lines, error: relative_error(values.list, this.reference, this.areas) }));
+    this.show_curve();
+  }
+
+  show_curve() {
+    const names = this.kept ? ['B: ', 'A: '] : ['', ''];
+    this.curve.show([this.run, this.kept].filter(Boolean).map((run, k) => ({ ...run, name: names[k] + run.name })));
+  }
+
+  // Keeps this run as A. The next one is B.
+  keep() {
+    this.kept = this.run;
+    this.show_curve();
+  }
+  clear() {
+    this.kept = null;
+    this.predicted = undefined;
+    this.show_comparison();
+    this.show_curve();
+  }
+
+  show_comparison() {
+    const on = this.kept && this.kept !== this.run && this.kept.key === this.key && this.shown_key === this.key;
+    element('wipe-row').hidden = !on;
+    this.viewer?.compare(on ? this.kept.light : null, Number(element('wipe').value));
+  }
+
+  // Shows which surfaces light the selected patch, and some rays to them.
+  show_lights() {
+    const { viewer } = this, patch = viewer?.state.selected;
+    if (patch === null || patch === undefined)
+      return;
+    const { surfaces, rays } = lights_of(patch, viewer.room, this.run.light.patches), most = Math.max(...rays.map(ray => ray.light));
+    this.controls.show_lights(surfaces.map(({ surface, share }) => ({ name: viewer.room.surface_name(surface), share })));
+    viewer.show_rays(rays.map(({ from, to, light }) =>
+      ({ from, to, width: 1.5, colour: [...line_ink.slice(0, 3), 0.15 + 0.85 * light / most] })));
+  }
+
+  // Saves an output of the program, made by the command of the last result.
+  async save(name) {
+    const job = this.solver.run({ words: [...this.words(this.next / 2), '--threads', '1', '-q', '-o', name],
+      files: this.room_files(), wanted: [name] });
+    const { code, message, files } = await job.done;
+    if (code !== 0)
+      return this.controls.show_message(message);
+    save_file(name, files.get(name));
+  }
+  save_curve() {
+    const rows = [this.run, this.kept].filter(Boolean).flatMap(({ name, points }) =>
+      points.map(({ lines, error }) => `"${name}",${lines},${error}`));
+    save_file('curve.csv', ['run,lines,relative MSE', ...rows, ''].join('\n'));
+  }
+
+  // A room of the user: an OBJ file and what belongs to it.
+  async open(list) {
+    const files = new Map(await Promise.all([...list].map(async file => [file.name, new Uint8Array(await file.arrayBuffer())])));
+    const scene = [...files.keys()].find(name => /\.obj$/i.test(name));
+    if (!scene)
+      return this.controls.show_message('Open an OBJ file, with its MTL file and its textures.');
+    this.files = files;
+    this.own_scene = scene;
+    this.controls.add_scene(scene);
+    this.change({ scene });
+    this.begin();
+  }
+}
+
+// The data of the room in a page that the program wrote.
+function room_data(bytes) {
+  const page = new TextDecoder().decode(bytes), begin = '<script type="application/json" id="room">';
+  const from = page.lastIndexOf(begin) + begin.length;
+  return JSON.parse(page.slice(from, page.indexOf('</' + 'script>', from)));
+}
+
+function save_file(name, content) {
+  const url = URL.createObjectURL(new Blob([content]));
+  Object.assign(document.createElement('a'), { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+async function start_laboratory() {
+  const held = id => JSON.parse(element(id).textContent);
+  const script = await unpacked(element('worker').textContent), program = await unpacked(element('program').textContent);
+  const files = new Map(Object.entries(held('rooms')).map(([name, text]) => [name, new TextEncoder().encode(text)]));
+  window.laboratory = new Laboratory(new Solver(program, script), files, held('lessons'));
+}
+start_laboratory();

@@ -1,0 +1,140 @@
+'use strict';
+// The controls of the laboratory: they show its state and change it.
+
+class LabControls {
+  constructor(lab) {
+    this.lab = lab;
+    for (const file of lab.bundled.keys())
+      if (file.endsWith('.obj'))
+        append_element(element('scene'), 'option', file.replace('.obj', '')).value = file.replace('.obj', '');
+    append_element(element('lesson-choice'), 'option', 'none: play freely').value = '';
+    lab.lessons.forEach(({ key, title }) => append_element(element('lesson-choice'), 'option', title).value = key);
+    this.rows = new Map(settings.map(setting => [setting.key, this.add_setting(setting)]));
+    this.listen();
+  }
+
+  add_setting({ key, title, values, more }) {
+    const row = append_element(element(more ? 'more-settings' : 'settings'), 'label', '');
+    row.className = 'row';
+    append_element(row, 'span', title);
+    const select = append_element(row, 'select', '');
+    select.id = `setting-${key}`;
+    for (const [value, text] of Object.entries(values))
+      append_element(select, 'option', text).value = value;
+    select.addEventListener('change', () => this.lab.restart({ [key]: select.value }));
+    return row;
+  }
+
+  add_scene(name) {
+    const known = [...element('scene').options].find(option => option.dataset.own);
+    const option = known || append_element(element('scene'), 'option', '');
+    option.dataset.own = 'yes';
+    option.value = option.textContent = name;
+  }
+
+  listen() {
+    const lab = this.lab, on = (id, event, act) => element(id).addEventListener(event, act);
+    on('scene', 'change', event => lab.restart({ scene: event.target.value }));
+    on('size', 'input', event => lab.change({ size: Number(event.target.value) }));
+    on('size', 'change', () => lab.resume());
+    on('start', 'click', () => lab.job ? lab.stop() : lab.can_go_on ? lab.resume() : lab.begin());
+    on('keep', 'click', () => lab.keep());
+    on('clear', 'click', () => lab.clear());
+    on('wipe', 'input', () => lab.show_comparison());
+    on('open', 'click', () => element('files').click());
+    on('files', 'change', event => lab.open(event.target.files));
+    on('lesson-choice', 'change', event => lab.choose_lesson(event.target.value));
+    on('lab-fold', 'click', () => this.fold());
+    on('copy-command', 'click', event => copy_text(event.target, lab.command()));
+    on('copy-link', 'click', event => copy_text(event.target, location.href));
+    this.who = append_element(element('patch'), 'button', 'Who lights it?');
+    this.who.type = 'button';
+    this.who.addEventListener('click', () => lab.show_lights());
+    this.lights = append_element(element('patch'), 'table', '');
+    on('save-curve', 'click', () => lab.save_curve());
+    for (const button of document.querySelectorAll('[data-save]'))
+      button.addEventListener('click', () => lab.save(button.dataset.save));
+    const stage = element('stage');
+    stage.addEventListener('dragover', event => event.preventDefault());
+    stage.addEventListener('drop', event => {
+      event.preventDefault();
+      lab.open(event.dataTransfer.files);
+    });
+    window.addEventListener('hashchange', () => lab.follow(location.hash.slice(1)));
+  }
+
+  fold() {
+    const folded = document.body.classList.toggle('lab-folded');
+    element('lab-body').hidden = folded;
+    element('lab-fold').textContent = folded ? 'Laboratory' : 'Hide';
+    element('lab-fold').setAttribute('aria-expanded', String(!folded));
+  }
+
+  refresh(state) {
+    element('scene').value = state.scene;
+    element('lesson-choice').value = state.lesson;
+    for (const setting of settings) {
+      const row = this.rows.get(setting.key);
+      row.hidden = !applies(setting, state.method);
+      row.querySelector('select').value = state[setting.key];
+    }
+    element('size').value = state.size;
+    element('size-text').textContent = grouped(2 ** state.size);
+    element('command').textContent = this.lab.command();
+  }
+
+  show_running(on) {
+    element('start').textContent = on ? 'Stop' : this.lab.can_go_on ? 'Go on' : 'Run again';
+    document.body.classList.toggle('running', on);
+  }
+  show_progress(lines, share) {
+    element('progress').textContent = share < 1 ? `${grouped(lines)} lines: ${Math.round(100 * share)} %`
+                                                : `${grouped(lines)} lines`;
+  }
+  show_message(text) { element('lab-message').textContent = text.trim().split('\n').pop(); }
+
+  // A lesson: its text, its question with answers to choose from, and what the run then shows.
+  show_lesson(lesson) {
+    element('lesson-text').replaceChildren();
+    element('lesson-answers').replaceChildren();
+    element('lesson-finding').textContent = '';
+    if (!lesson)
+      return;
+    for (const paragraph of lesson.text)
+      append_element(element('lesson-text'), 'p', paragraph);
+    append_element(element('lesson-text'), 'p', lesson.question).className = 'question';
+    for (const [number, answer] of lesson.answers.entries()) {
+      const button = append_element(element('lesson-answers'), 'button', answer);
+      button.type = 'button';
+      button.addEventListener('click', () => this.lab.predict(number));
+    }
+  }
+  show_answer(number) {
+    [...element('lesson-answers').children].forEach((button, k) => {
+      button.setAttribute('aria-pressed', String(k === number));
+      button.disabled = true;
+    });
+  }
+  // The surfaces that light the selected patch, with their shares.
+  show_lights(surfaces) {
+    this.lights.replaceChildren();
+    for (const { name, share } of surfaces) {
+      const row = append_element(this.lights, 'tr', '');
+      append_element(row, 'td', name);
+      append_element(row, 'td', `${(100 * share).toFixed(1)} %`);
+    }
+  }
+  show_finding(text) { element('lesson-finding').textContent = text; }
+}
+
+// Copies a text; where the page may not, shows it to be copied by hand.
+async function copy_text(button, text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    const before = button.textContent;
+    button.textContent = 'Copied';
+    setTimeout(() => { button.textContent = before; }, 1500);
+  } catch {
+    window.prompt('To be copied', text);
+  }
+}
