@@ -1,8 +1,8 @@
-// Queries for many lines, in batches of LineBatch::most. A batch goes through phases: all lines are transformed into
-// the frame, then all are filtered in single precision, then all candidates are decided in double precision, then all
-// hits are sorted. Branches are predictable within a phase; they would not be if each line went through all steps
-// alone. Batches with a line that does not fit into single precision, and scenes with unfiltered surfaces, take the
-// slow path: one line at a time.
+// Searches for many lines at a time, in phases, each of which does one thing for a batch of lines. All hits: the lines
+// are placed in the frame; filters in single precision leave a few candidates; double precision decides these
+// (SurfaceTable); the hits are put in order. So the results are, to the last bit, those of testing all surfaces in
+// double precision. Surfaces that cannot be filtered are candidates of every line, and all surfaces are candidates of a
+// line that cannot be filtered.
 
 #include "geometry/intersector/core.h"
 
@@ -12,309 +12,337 @@
 
 namespace multipath {
 
-HitLists::HitLists() : scratch_(std::make_unique<Scratch>()) {}
-
-HitLists::HitLists(const HitLists& other) : hits_(other.hits_), end_(other.end_), scratch_(std::make_unique<Scratch>())
+/// Places as many of the lines as are searched together, and returns their number: lines that can be filtered, or a
+/// single line that cannot.
+std::size_t Intersector::Core::place_lines(const Line* lines, std::size_t count, LineBatch& batch) const
 {
+    constexpr std::size_t most_unfiltered = 1u << 16; // candidates, so that memory stays limited
+    const std::size_t most =
+        std::clamp<std::size_t>(most_unfiltered / (unfiltered_.size() + 1), 1, std::min(count, LineBatch::most));
+    kernel_->place_lines(frame_, lines, most, batch);
+    const auto* const unfit = std::find(batch.course, batch.course + most, LineCourse::unfit);
+    return std::max<std::size_t>(1, static_cast<std::size_t>(unfit - batch.course));
 }
 
-HitLists& HitLists::operator=(const HitLists& other)
+void Intersector::Core::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
 {
-    hits_ = other.hits_;
-    end_ = other.end_;
-    return *this;
-}
-
-HitLists::~HitLists() = default;
-
-FirstHits::FirstHits() : scratch_(std::make_unique<Scratch>()) {}
-
-FirstHits::FirstHits(const FirstHits& other)
-    : hits_(other.hits_), is_hit_(other.is_hit_), scratch_(std::make_unique<Scratch>())
-{
-}
-
-FirstHits& FirstHits::operator=(const FirstHits& other)
-{
-    hits_ = other.hits_;
-    is_hit_ = other.is_hit_;
-    return *this;
-}
-
-FirstHits::~FirstHits() = default;
-
-void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
-{
-    lists.end_.clear();
-    for (std::size_t first = 0; first < count; first += LineBatch::most) {
-        const std::size_t last = std::min(count, first + LineBatch::most);
-        if (!core_->unfiltered_.empty() || !core_->place_lines(lines + first, last - first, *lists.scratch_)) {
-            append_one_by_one(lines, first, last, lists);
-            continue;
+    thread_local CandidateBuffers work; // keeps its memory
+    lists.end_.assign(count, 0);
+    std::size_t begin = 0; // of the hits of the batch
+    for (std::size_t first = 0; first < count;) {
+        const std::size_t together = place_lines(lines + first, count - first, work.batch);
+        find_candidates(together, work);
+        const std::size_t room = begin + work.candidates.size() + 1;
+        if (lists.hits_.size() < room)
+            lists.hits_.resize(2 * room);
+        std::size_t* const ends = lists.end_.data() + first;
+        kernel_->decide_candidates(table_, lines + first, work.candidates.data(), work.candidates.size(),
+                                   lists.hits_.data() + begin, ends);
+        std::size_t from = begin;
+        for (std::size_t i = 0; i < together; ++i) {
+            const std::size_t to = std::max(from, begin + ends[i]);
+            if (to > from + 1)
+                put_in_order(lists.hits_.data() + from, to - from);
+            ends[i] = from = to;
         }
-        core_->find_candidates(*lists.scratch_);
-        core_->decide_candidates(lines + first, first, last, lists);
+        begin = from;
+        first += together;
     }
 }
 
-/// First phase: transforms the lines into the frame and lists those that pass through the box. Returns false if a line
-/// must be decided in double precision only.
-bool Intersector::Core::place_lines(const Line* lines, std::size_t count, HitLists::Scratch& work) const
+/// Lists the surfaces that each of the first `count` lines of the batch may meet.
+void Intersector::Core::find_candidates(std::size_t count, CandidateBuffers& work) const
 {
-    kernel_->place_lines(frame_, lines, count, work.batch);
+    if (work.batch.course[0] == LineCourse::unfit) {
+        work.candidates.clear();
+        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
+            work.candidates.push_back({0, surface});
+        return;
+    }
     work.passing.resize(count);
     std::size_t passing = 0;
-    std::uint32_t courses = 0;
-    std::uint32_t whole = 1;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t passes = work.batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
+    for (std::uint32_t i = 0; i < count; ++i) { // branch-free: whether a line passes is hard to predict
         work.passing[passing] = i;
-        passing += passes;
-        courses |= work.batch.course[i];
-        whole &= work.batch.whole[i] | (1 - passes);
+        passing += work.batch.passes(i);
     }
     work.passing.resize(passing);
-    work.all_whole = whole != 0;
-    return (courses & static_cast<std::uint32_t>(LineCourse::unfit)) == 0;
-}
-
-void Intersector::Core::find_candidates(HitLists::Scratch& work) const
-{
-    if (tree_.empty())
-        find_among_few(work);
+    const bool by_line = filters_all(count);
+    if (by_line)
+        filter_few(count, work);
     else
-        find_in_tree(work);
+        search_tree(work);
+    for (const std::uint32_t surface : unfiltered_)
+        for (std::uint32_t line = 0; line < count; ++line)
+            work.found.push_back({line, surface});
+    if (count == 1 || (by_line && unfiltered_.empty())) { // already sorted
+        work.candidates.swap(work.found);
+        return;
+    }
+    std::array<std::size_t, LineBatch::most + 1> slot{}; // counting sort by line: slot of its next candidate
+    for (const LineCandidate& candidate : work.found)
+        ++slot[candidate.line + 1];
+    std::partial_sum(slot.begin(), slot.end(), slot.begin());
+    work.candidates.resize(work.found.size());
+    for (const LineCandidate& candidate : work.found)
+        work.candidates[slot[candidate.line]++] = candidate;
 }
 
-void Intersector::Core::find_among_few(HitLists::Scratch& work) const
+/// True if so many lines are tested against all surfaces sooner than searched in the hierarchy. A few lines are not,
+/// because all lanes of a vector take as long as one.
+bool Intersector::Core::filters_all(std::size_t lines) const
+{
+    constexpr std::size_t per_line = 32; // surfaces that are tested while one line is searched
+    return is_few_ && (per_line * lines >= flat_surface_.size() || tree_.empty());
+}
+
+FlatSurfaces Intersector::Core::flat_surfaces() const
+{
+    return {flat_blocks_.data(),
+            flat_plane_.data(),
+            static_cast<unsigned>(framed_.others.size()),
+            static_cast<unsigned>(flat_surface_.size()),
+            framed_.frames.data(),
+            static_cast<unsigned>(framed_.frames.size()),
+            framed_.rectangles.data()};
+}
+
+/// Finds the candidates of the passing lines among all surfaces, line by line.
+void Intersector::Core::filter_few(std::size_t count, CandidateBuffers& work) const
 {
     const FlatSurfaces surfaces = flat_surfaces();
     const unsigned words = (surfaces.count + 31) / 32;
-    const std::size_t lines = work.passing.empty() ? 0 : work.passing.back() + 1;
-    kernel_->filter_flat(surfaces, work.batch, lines, work.all_whole, work.marks);
-    work.candidates.reserve(work.passing.size() * surfaces.count);
-    std::size_t found = 0;
+    kernel_->filter_flat(surfaces, work.batch, count, work.marks);
+    work.found.resize(work.passing.size() * surfaces.count);
+    LineCandidate* next = work.found.data();
     for (const std::uint32_t line : work.passing)
         for (unsigned word = 0; word < words; ++word)
             for (std::uint32_t marks = work.marks.word[word][line]; marks != 0; marks &= marks - 1)
-                work.candidates.elements[found++] = {
-                    line, lane_number_[32 * word + static_cast<unsigned>(__builtin_ctz(marks))]};
-    work.candidates.count = found;
+                *next++ = {line, flat_surface_[32 * word + static_cast<unsigned>(__builtin_ctz(marks))]};
+    work.found.resize(static_cast<std::size_t>(next - work.found.data()));
 }
 
-/// Finds the candidates of the lines with these indices in the batch by a search in the hierarchy, in any order.
-void Intersector::Core::search_tree(const LineBatch& batch, const std::uint32_t* lines, std::size_t count,
-                                    CandidateScratch& work) const
+/// Finds the candidates of the passing lines in the hierarchy, in any order.
+void Intersector::Core::search_tree(CandidateBuffers& work) const
 {
-    work.lines.resize(count);
-    work.pending.resize(std::max(work.pending.size(), count + CandidateSearch::least_room));
-    work.found.reserve(CandidateSearch::least_room);
-    kernel_->fill_tree_lines(batch, lines, count, work.lines.data());
+    constexpr std::size_t least_room = CandidateSearch::least_room;
+    const std::size_t count = work.passing.size();
+    work.tree_lines.resize(count);
+    work.pending.resize(std::max(work.pending.size(), count + least_room));
+    work.found.resize(std::max(work.found.capacity(), least_room));
+    kernel_->fill_tree_lines(work.batch, work.passing.data(), count, work.tree_lines.data());
     for (std::uint32_t i = 0; i < count; ++i)
         work.pending[i] = {i, 0};
-    CandidateSearch search{work.lines.data(), nullptr, count, 0, nullptr, 0, 0};
+    CandidateSearch search{work.tree_lines.data(), nullptr, count, 0, nullptr, 0, 0};
     while (search.pending_count > 0) {
-        if (work.pending.size() < search.pending_count + CandidateSearch::least_room)
+        if (work.pending.size() < search.pending_count + least_room)
             work.pending.resize(2 * work.pending.size());
-        work.found.reserve(search.candidate_count + CandidateSearch::least_room);
+        if (work.found.size() < search.candidate_count + least_room)
+            work.found.resize(2 * work.found.size());
         search.pending = work.pending.data();
         search.pending_room = work.pending.size();
-        search.candidates = work.found.elements.data();
-        search.candidate_room = work.found.elements.size();
+        search.candidates = work.found.data();
+        search.candidate_room = work.found.size();
         kernel_->find_candidates(tree_view(), search);
     }
-    work.found.count = search.candidate_count;
+    work.found.resize(search.candidate_count);
 }
 
-void Intersector::Core::find_in_tree(HitLists::Scratch& work) const
-{
-    search_tree(work.batch, work.passing.data(), work.passing.size(), work.in_tree);
-    const CandidateList& found = work.in_tree.found;
-    std::array<std::size_t, LineBatch::most + 1> offset{}; // counting sort by line: slot of its next candidate
-    for (std::size_t i = 0; i < found.count; ++i)
-        ++offset[found.elements[i].line + 1];
-    std::partial_sum(offset.begin(), offset.end(), offset.begin());
-    work.candidates.reserve(found.count);
-    work.candidates.count = found.count;
-    for (std::size_t i = 0; i < found.count; ++i)
-        work.candidates.elements[offset[found.elements[i].line]++] = found.elements[i];
-}
-
-void Intersector::Core::decide_candidates(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
-{
-    const std::size_t begin = first == 0 ? 0 : lists.end_[first - 1];
-    if (lists.hits_.size() < begin + lists.scratch_->candidates.count + 1)
-        lists.hits_.resize(2 * (begin + lists.scratch_->candidates.count + 1));
-    lists.end_.resize(last, 0);
-    kernel_->decide_candidates(table_, lines, lists.scratch_->candidates.elements.data(),
-                               lists.scratch_->candidates.count, lists.hits_.data() + begin, lists.end_.data() + first);
-    std::size_t from = begin;
-    for (std::size_t i = first; i < last; ++i) {
-        const std::size_t to = std::max(from, begin + lists.end_[i]);
-        if (to > from + 1)
-            put_in_order(lists.hits_.data() + from, to - from);
-        lists.end_[i] = from = to;
-    }
-}
-
-void Intersector::append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const
-{
-    std::vector<Hit> hits;
-    for (std::size_t i = first; i < last; ++i) {
-        all_hits(lines[i], hits);
-        const std::size_t begin = i == 0 ? 0 : lists.end_[i - 1];
-        if (lists.hits_.size() < begin + hits.size())
-            lists.hits_.resize(2 * (begin + hits.size()));
-        std::copy(hits.begin(), hits.end(), lists.hits_.begin() + static_cast<std::ptrdiff_t>(begin));
-        lists.end_.push_back(begin + hits.size());
-    }
-}
-
-// First hits of many rays, in the same phases. In a small scene the filter finds, for every ray, the surface that may
+// First hits of many rays, in the same phases. In a small scene a filter finds, for every ray, the surface that may
 // come first and a lower bound of t for all others. Only this surface is decided: it is the first hit if its t is below
-// the bound. The rare other rays are searched one by one. In a large scene the hierarchy is searched in order of
-// distance. Rays whose start is covered by another surface are repeated at the end along the whole line.
+// the bound. For the rare other rays all candidates are decided. Else the hierarchy is searched in order of distance.
+//
+// Rays that start on a surface ignore its plane. If another surface covers the start, the order of coincident faces
+// matters: then the ray is extended backwards to the whole line, whose hits are found and ordered, and the hit after
+// the ray's own surface is taken. The order along the whole line also decides between a front and a back with different
+// outlines that a ray meets at the same t (a floor seen from below with an object on it).
 
-void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                    FirstHits& found) const
+void Intersector::Core::find_first(const RayQuery& query) const
 {
-    find_first(from, nullptr, rays, count, found);
-}
-
-void Intersector::hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
-                                  std::size_t count, FirstHits& found) const
-{
-    find_first(from, targets, rays, count, found);
-    for (std::size_t i = 0; i < count; ++i)
-        found.is_hit_[i] = every(found.is_hit_[i] != 0, found.hits_[i].surface == targets[i]);
-}
-
-void Intersector::find_first(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
-                             std::size_t count, FirstHits& found) const
-{
-    found.resize(count);
-    for (std::size_t first = 0; first < count; first += LineBatch::most) {
-        const std::size_t together = std::min(count - first, LineBatch::most);
-        core_->kernel_->place_lines(core_->frame_, rays + first, together, found.scratch_->batch);
-        std::uint32_t courses = 0;
-        for (std::size_t i = 0; i < together; ++i)
-            courses |= found.scratch_->batch.course[i];
-        if (!core_->unfiltered_.empty() || (courses & static_cast<std::uint32_t>(LineCourse::unfit)) != 0)
-            for (std::size_t i = first; i < first + together; ++i)
-                found.put(i, core_->nearest(rays[i], core_->plane_of(from[i])));
-        else if (core_->tree_.empty())
-            core_->find_first_among_few(from, rays, first, together, found);
+    thread_local FirstHitBuffers work; // keeps its memory
+    query.found.resize(query.count);
+    work.undecided.clear();
+    work.ties.clear();
+    for (std::size_t first = 0; first < query.count;) {
+        const std::size_t count = place_lines(query.rays + first, query.count - first, work.batch);
+        const bool is_fit = work.batch.course[0] != LineCourse::unfit;
+        if (is_fit && !filters_all(count))
+            find_first_in_tree(query, first, count, work);
+        else if (is_fit && unfiltered_.empty())
+            find_first_by_bounds(query, first, count, work);
         else
-            core_->find_first_in_tree(from, targets, rays, first, together, found);
+            for (std::size_t i = 0; i < count; ++i)
+                work.undecided.push_back(first + i);
+        first += count;
     }
-    find_first_of_covered(from, rays, count, found);
+    find_first_of_undecided(query, work);
+    order_ties(query, work);
+    find_first_of_covered(query, work);
 }
 
-void Intersector::Core::find_first_among_few(const std::uint32_t* from, const Line* rays, std::size_t first,
-                                             std::size_t count, FirstHits& found) const
+/// First hits in a small scene; lists the rays that the bounds leave undecided.
+void Intersector::Core::find_first_by_bounds(const RayQuery& query, std::size_t first, std::size_t count,
+                                             FirstHitBuffers& work) const
 {
     alignas(64) std::array<float, LineBatch::most> own_plane{};
     for (std::size_t i = 0; i < count; ++i)
-        own_plane[i] = static_cast<float>(plane_of(from[first + i]));
+        own_plane[i] = static_cast<float>(plane_of(query.from[first + i]));
     NearestCandidates candidates;
-    kernel_->nearest_flat(flat_surfaces(), found.scratch_->batch, count, own_plane.data(), candidates);
+    kernel_->nearest_flat(flat_surfaces(), work.batch, count, own_plane.data(), candidates);
     std::array<std::uint32_t, LineBatch::most> surface;
     for (std::size_t i = 0; i < count; ++i)
-        surface[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(candidates.number[i]));
-    kernel_->decide_nearest(table_, rays + first, surface.data(), count, found.hits_.data() + first,
-                            found.is_hit_.data() + first);
+        surface[i] = flat_surface_[static_cast<std::size_t>(candidates.number[i])];
+    Hit* const hits = query.found.hits_.data() + first;
+    std::uint32_t* const is_hit = query.found.is_hit_.data() + first;
+    kernel_->decide_nearest(table_, query.rays + first, surface.data(), count, hits, is_hit);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t ray = first + i;
-        const bool passes = found.scratch_->batch.course[i] == static_cast<std::uint32_t>(LineCourse::passes);
-        const bool is_hit = every(passes, candidates.first[i] < FlatSurfaces::never, found.is_hit_[ray] != 0);
+        const bool passes = work.batch.passes(i);
         const bool alone = candidates.second[i] == FlatSurfaces::never;
-        const double second = found.scratch_->batch.middle_t[i] + static_cast<double>(candidates.second[i]);
-        found.is_hit_[ray] = is_hit;
-        if (!any(!passes, alone, every(is_hit, found.hits_[ray].t < second)))
-            found.put(ray, nearest(rays[ray], plane_of(from[ray])));
+        const double second = work.batch.middle_t[i] + static_cast<double>(candidates.second[i]);
+        is_hit[i] = every(passes, candidates.first[i] < FlatSurfaces::never, is_hit[i] != 0);
+        if (!any(!passes, alone, every(is_hit[i] != 0, hits[i].t < second)))
+            work.undecided.push_back(first + i);
     }
 }
 
-SearchedRay Intersector::Core::searched_ray(std::uint32_t number, std::uint32_t excluded_plane)
+/// The first hits of the undecided rays, of all their candidates.
+void Intersector::Core::find_first_of_undecided(const RayQuery& query, FirstHitBuffers& work) const
 {
-    return {number, excluded_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(excluded_plane)};
-}
-
-/// Finds the first hits of work.rays, starting from those already in work.nearest. `lines`: the lines of the batch.
-/// `any`: any nearer hit ends the search of a ray.
-void Intersector::Core::search_first(const LineBatch& batch, const Line* lines, bool any, FirstHitScratch& work) const
-{
-    const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
-    const std::size_t together = std::min<std::size_t>(work.rays.size(), FirstHitSearch::at_once);
-    work.stacks.resize(std::max(work.stacks.size(), together * stack_size));
-    const auto take_coincident_hit = [](const void* core, NearestHit& nearest, const Hit& hit) {
-        static_cast<const Core*>(core)->take_coincident(hit, nearest);
-    };
-    kernel_->find_first(tree_view(), table_,
-                        {batch, lines, work.rays.data(), work.rays.size(), work.nearest.data(), any, work.stacks.data(),
-                         stack_size, take_coincident_hit, this});
+    work.lines.clear();
+    for (const std::size_t ray : work.undecided)
+        work.lines.push_back(query.rays[ray]);
+    for (std::size_t first = 0; first < work.undecided.size();) {
+        const Line* const lines = work.lines.data() + first;
+        const std::size_t* const rays = work.undecided.data() + first;
+        const std::size_t count = place_lines(lines, work.undecided.size() - first, work.candidates.batch);
+        find_candidates(count, work.candidates);
+        work.nearest.assign(count, NearestHit());
+        for (const auto& [line, surface] : work.candidates.candidates)
+            take_surface(lines[line], plane_of(query.from[rays[line]]), surface, work.nearest[line]);
+        for (std::size_t i = 0; i < count; ++i)
+            put(query, rays[i], work.nearest[i], work.ties);
+        first += count;
+    }
 }
 
 /// First hits by a search in the hierarchy. With targets, only rays that meet their targets are searched, and only up
 /// to them.
-void Intersector::Core::find_first_in_tree(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
-                                           std::size_t first, std::size_t count, FirstHits& found) const
+void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t first, std::size_t count,
+                                           FirstHitBuffers& work) const
 {
-    FirstHitScratch& work = found.scratch_->in_tree;
-    work.rays.clear();
+    const Line* const rays = query.rays + first;
+    const std::uint32_t* const targets = query.targets == nullptr ? nullptr : query.targets + first;
+    const Hit* const hits = query.found.hits_.data() + first;
+    work.searched.clear();
     work.nearest.assign(count, NearestHit());
     if (targets != nullptr) {
-        for (std::size_t i = first; i < first + count; ++i)
+        for (std::size_t i = 0; i < count; ++i)
             prefetch_all(table_.row(targets[i]));
-        kernel_->decide_nearest(table_, rays + first, targets + first, count, found.hits_.data() + first,
-                                found.is_hit_.data() + first);
+        kernel_->decide_nearest(table_, rays, targets, count, query.found.hits_.data() + first,
+                                query.found.is_hit_.data() + first);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::size_t ray = first + i;
-        if (found.scratch_->batch.course[i] != static_cast<std::uint32_t>(LineCourse::passes))
+        const std::uint32_t own_plane = plane_of(query.from[first + i]);
+        if (targets != nullptr && (plane_[targets[i]] == own_plane || !query.found.is_hit(first + i)))
             continue;
-        if (targets != nullptr) {
-            if (plane_[targets[ray]] == plane_of(from[ray]) || found.is_hit_[ray] == 0)
-                continue;
-            work.nearest[i].best = found.hits_[ray];
-        }
-        work.rays.push_back(searched_ray(i, plane_of(from[ray])));
+        if (targets != nullptr)
+            work.nearest[i].best = hits[i];
+        for (const std::uint32_t surface : unfiltered_)
+            take_surface(rays[i], own_plane, surface, work.nearest[i]);
+        if (work.batch.passes(i))
+            work.searched.push_back(
+                {i, own_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(own_plane)});
     }
-    search_first(found.scratch_->batch, rays + first, targets != nullptr, work);
-    for (std::size_t i = 0; i < count; ++i) {
-        const NearestHit& nearest = work.nearest[i];
-        found.hits_[first + i] = nearest.best;
-        found.is_hit_[first + i] = nearest.is_hit();
-        if (nearest.has_back)
-            found.put(first + i, first_of(nearest, rays[first + i], plane_of(from[first + i])));
-    }
+    const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
+    const std::size_t together = std::min<std::size_t>(work.searched.size(), FirstHitSearch::at_once);
+    work.stacks.resize(std::max(work.stacks.size(), together * stack_size));
+    const auto take = [](const void* core, NearestHit& nearest, const Hit& hit) {
+        static_cast<const Core*>(core)->take_coincident(hit, nearest);
+    };
+    kernel_->find_first(tree_view(), table_,
+                        {work.batch, rays, work.searched.data(), work.searched.size(), work.nearest.data(),
+                         targets != nullptr, work.stacks.data(), stack_size, take, this});
+    for (std::size_t i = 0; i < count; ++i)
+        put(query, first + i, work.nearest[i], work.ties);
 }
 
-/// Overwrites the results of rays whose start is covered by another surface, as closest_hit_from does for one ray.
-void Intersector::find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count,
-                                        FirstHits& found) const
+/// Stores the first hit of a ray. Between a front and a back it is the front, unless a tie is left.
+void Intersector::Core::put(const RayQuery& query, std::size_t ray, const NearestHit& nearest,
+                            std::vector<Tie>& ties) const
 {
-    found.scratch_->covered.clear();
-    found.scratch_->whole_lines.clear();
-    for (std::size_t i = 0; i < count; ++i)
-        if (from[i] != no_surface && core_->neighbours_.may_have_some(from[i]) &&
-            core_->is_covered(from[i], rays[i].origin)) {
-            found.scratch_->covered.push_back(static_cast<std::uint32_t>(i));
-            found.scratch_->whole_lines.push_back(core_->whole_line(rays[i]));
-        }
+    query.found.hits_[ray] = nearest.best;
+    query.found.is_hit_[ray] = nearest.is_hit();
+    if (nearest.has_back && query.from[ray] != no_surface && !have_same_outline(nearest.best, nearest.back))
+        ties.push_back({ray, nearest});
+}
+
+/// Calls visit(k, hits) with the hits along the whole line of each ray: the ray, extended backwards to a line that
+/// starts before the scene.
+template <class Visit>
+void Intersector::Core::for_each_whole_line(const std::vector<Line>& rays, const Visit& visit) const
+{
+    thread_local std::vector<Line> lines; // keeps its memory
+    thread_local HitLists along;
+    lines.clear();
+    for (const Line& ray : rays)
+        lines.push_back({ray.at(-reach_of(ray)), ray.direction});
     // In parts of limited memory, because each line may meet thousands of surfaces.
     constexpr std::size_t most_hits = 1u << 15;
     std::size_t part = 16;
-    for (std::size_t first = 0; first < found.scratch_->covered.size();) {
-        const std::size_t end = std::min(first + part, found.scratch_->covered.size());
-        all_hits(found.scratch_->whole_lines.data() + first, end - first, found.scratch_->along);
-        part = std::clamp<std::size_t>(most_hits * (end - first) / (found.scratch_->along.hit_count() + 1), 1,
-                                       LineBatch::most);
-        for (const std::size_t of_part = first; first < end; ++first) {
-            const std::uint32_t i = found.scratch_->covered[first];
-            found.put(i, core_->next_along(found.scratch_->along[first - of_part], from[i], rays[i]));
-        }
+    for (std::size_t first = 0; first < lines.size();) {
+        const std::size_t count = std::min(part, lines.size() - first);
+        all_hits(lines.data() + first, count, along);
+        for (std::size_t k = 0; k < count; ++k)
+            visit(first + k, along[k]);
+        part = std::clamp<std::size_t>(most_hits * count / (along.hit_count() + 1), 1, LineBatch::most);
+        first += count;
     }
+}
+
+/// Overwrites the results of ties: of the hits at the same t, the first one along the whole line.
+void Intersector::Core::order_ties(const RayQuery& query, FirstHitBuffers& work) const
+{
+    work.lines.clear();
+    for (const Tie& tie : work.ties)
+        work.lines.push_back(query.rays[tie.ray]);
+    for_each_whole_line(work.lines, [&](std::size_t k, HitLists::List along) {
+        const auto& [ray, nearest] = work.ties[k];
+        const std::uint32_t front = nearest.best.surface;
+        const auto* const best =
+            std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == front; });
+        for (const Hit* hit = along.begin(); hit != best && best != along.end(); ++hit) {
+            Hit result;
+            if (hit->t == best->t && plane_[hit->surface] != plane_of(query.from[ray]) &&
+                table_.decide(work.lines[k], hit->surface, result) && result.t == nearest.best.t) {
+                query.found.hits_[ray] = result;
+                return;
+            }
+        }
+    });
+}
+
+/// Overwrites the results of rays whose start is covered by another surface.
+void Intersector::Core::find_first_of_covered(const RayQuery& query, FirstHitBuffers& work) const
+{
+    work.covered.clear();
+    work.lines.clear();
+    for (std::size_t i = 0; i < query.count; ++i)
+        if (query.from[i] != no_surface && neighbours_.may_have_some(query.from[i]) &&
+            is_covered(query.from[i], query.rays[i].origin)) {
+            work.covered.push_back(i);
+            work.lines.push_back(query.rays[i]);
+        }
+    for_each_whole_line(work.lines, [&](std::size_t k, HitLists::List along) {
+        const std::size_t i = work.covered[k];
+        const auto* const own =
+            std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == query.from[i]; });
+        if (own == along.end()) // by rounding the start lies outside of its surface
+            return;
+        query.found.is_hit_[i] = own + 1 != along.end();
+        if (query.found.is_hit(i)) {
+            query.found.hits_[i] = own[1];
+            query.found.hits_[i].t = std::max(0.0, own[1].t - reach_of(work.lines[k]));
+        }
+    });
 }
 
 } // namespace multipath

@@ -1,26 +1,29 @@
-// Fills the single-precision blocks of surfaces and derives the slack of their tests: a filter must pass every line
-// that SurfaceTable::decide accepts in double precision. This first note is about SurfaceBlock. Notes on LeafBlock and
-// RectangleFrame follow below.
+// Fills the single-precision forms of surfaces and derives the slack of their tests: a filter must pass every line that
+// SurfaceTable::decide accepts in double precision. This first note is about SurfaceBlock; one on RectangleFrame
+// follows below.
 //
 // Let e = 2^-24 be the rounding error of single precision, r = 1 the half diagonal of the box, L the length of the
-// line's direction D, M its moment, n the unit normal, U = 2 r to_u the gradient of u (from -1 to 1), V that of v and
-// m = max(|U|, |V|). All surfaces and the segment of the line near them lie in the unit sphere, so
-//     |M| <= L,  |u_moment| = |U x n| <= m,  |u_direction| = |u_0 n + offset U| <= 2 m,  |offset| <= 1,
-// since u vanishes in the sphere (|u_0| <= m).
-//
-// 1. u a is a sum of six products of rounded factors. Each has an error of 2 e from its factors and at most 7 e from
-//    the product and the additions, fused or not: 9 e (m L + 2 m L) = 27 m e L. The approach a has 6 e L, |a| + slack L
-//    has e L.
-// 2. Double precision: the line begins at most 10^7 r from the origin and the box (FilterFrame::reach), where u, the
-//    distance of the plane and the moment lose less than 10^-8 (m + 1) L < e/4 (m + 1) L each, the four together e
-//    (m + 1) L. Rounding can flip the sign of a if a line lies in the plane, but |u a| <= |a| does not depend on it. In
-//    total |u a| exceeds |a| by at most 28 m e L + 8 e L < 32 (m + 1) e L: the slack.
-// 3. The diagonal of a triangle: (u a + v a) sign(a) has twice this error if the sign is right. If it is wrong, a is
-//    nothing but rounding error, |a| < 8 e L, and |u a|, |v a| accepted by double precision do not exceed it: twice the
-//    slack is enough again.
-// 4. The distance h = offset - dot(n, middle) with |middle| < 1.5 has an error of (2 + 4) e (1 + 1.5) = 15 e, and |a|
-//    half_length, which is at most 1.01, one of 10 e: below 32 e. Hits accepted in double precision satisfy |h| <= |a|
-//    half_length, because they lie in the box and the line was clipped outside of it.
+// line's direction D, U and V the edges of a surface, m = max(|U|, |V|) <= 2 and n = cross(U, V), |n| <= |U| |V| <= 2
+// m. All surfaces and the segment of the line near them lie in the unit sphere. The vector c from the line's middle to
+// the corner is at most 2.5 long and has an error of 5 e: 1 and 1.5 for its ends, 2.5 for the subtraction. The
+// arithmetic of a cross product has an error of 2 sqrt(2) e times the lengths of its factors, each rounded factor adds
+// e; a sum of three products has 3 e times theirs.
+// 1. n: 6 e |U| |V|. a: 6 + 1 + 3 = 10 e |U| |V| L, at most 20 e m L. cross(c, D): 5 + 2.5 + 7.1 < 15 e L; u a and v a:
+//    15 + 2.5 + 7.5 = 25 e m L.
+// 2. Double precision: the line begins at most 10^7 r from the origin and the box (FilterFrame::reach), where it loses
+//    less than e (|gradient of u| + 1) L |n| <= e (2 m + 2 m) L = 4 e m L.
+// 3. u a <= |a|: 25 + 20, and 3 for the sum |a| + slack L. (u + v) a <= |a|: 50 + 20 + 4 + 3, with 4 for the sum, and
+//    twice the 4 of double precision: 85 e m L. If the sign of a is wrong, |a| <= 20 e m L, and so are u a and v a,
+//    whose sum then has an error of at most 20 + 50 + 4 e m L either way. So 96 e m L.
+// 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|. |a| times the ends of the segment, at most 1.01 / L: 10 e |U| |V|
+//    for a, 4 for the ends and the multiplication, 1 for double precision: less than 48 e |U| |V| <= 96 e m. So
+//    (t a - 96 e m) / |a| is not above the t of a hit.
+// So a line certainly meets a surface if it passes these tests with the slack on the other side; what double precision
+// loses is part of the sums. The start of a ray may be 1.4e-5 from the plane in the row of its surface
+// (displacement_limit): for surfaces in this plane t a is at most 1.4e-5 |n| + 48 e |U| |V|, below 6 times the slack of
+// 96 e m since |n| <= 2 m. Corner and edges are computed from the row, as the basis dual to its three gradients, and
+// not from the surface, so that the filter tests the same figure as SurfaceTable::decide. If can_be_filtered is true,
+// double precision loses much less than e with them.
 //
 // If the row itself describes the surface badly (slivers), hits may lie off the surface. can_be_filtered excludes such
 // surfaces. Boxes around surfaces have a margin of 2 coplanar_distance times the diagonal, which is 2e-5 r. The row
@@ -39,12 +42,11 @@ namespace multipath {
 
 namespace {
 
-constexpr double slack_per_gradient = 32.0 * 0x1p-24;
 constexpr double displacement_limit = 1.4e-5; // [r], see the note above
 constexpr double gradient_limit = 1e12;       // [1/r] keeps products in single precision finite
 
 /// Stores a vector in one lane.
-void put(float (&vector)[3][SurfaceBlock::lanes], unsigned lane, Vec3 value)
+void put(float (&vector)[3][SurfaceBlock::lanes], std::size_t lane, Vec3 value)
 {
     vector[0][lane] = static_cast<float>(value.x);
     vector[1][lane] = static_cast<float>(value.y);
@@ -53,60 +55,13 @@ void put(float (&vector)[3][SurfaceBlock::lanes], unsigned lane, Vec3 value)
 
 } // namespace
 
-SurfaceBlock empty_block()
-{
-    SurfaceBlock block{};
-    std::fill(std::begin(block.diagonal), std::end(block.diagonal), SurfaceBlock::no_diagonal);
-    std::fill(std::begin(block.slack), std::end(block.slack), -1.0f);
-    return block;
-}
-
-void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame)
-{
-    const Vec3 normal = row.vector(0);
-    const double offset = frame.scale() * (row.offset[0] - dot(normal, frame.centre()));
-    put(block.normal, lane, normal);
-    block.offset[lane] = static_cast<float>(offset);
-    double steepest = 0.0;
-    const auto put_coordinate = [&](std::size_t i, auto& moment, auto& direction) {
-        const Vec3 gradient = 2.0 * frame.radius() * row.vector(i);
-        const double at_centre = 2.0 * (dot(row.vector(i), frame.centre()) + row.offset[i]) - 1.0;
-        put(moment, lane, cross(gradient, normal));
-        put(direction, lane, at_centre * normal + offset * gradient);
-        steepest = std::max(steepest, length(gradient));
-    };
-    put_coordinate(1, block.u_moment, block.u_direction);
-    put_coordinate(2, block.v_moment, block.v_direction);
-    const double slack = slack_per_gradient * (1.0 + steepest);
-    block.slack[lane] = static_cast<float>(slack);
-    const bool is_triangle = row.offset[3] > 0.0;
-    block.diagonal[lane] = is_triangle ? static_cast<float>(2.0 * slack) : SurfaceBlock::no_diagonal;
-}
-
-// Slack of the tests of LeafBlock, in the terms of the first note, with the edges U and V, m = max(|U|, |V|) <= 2 and
-// n = cross(U, V), |n| <= |U| |V| <= 2 m. The vector c from the line's middle to the corner is at most 2.5 long and has
-// an error of 5 e: 1 and 1.5 for its ends, 2.5 for the subtraction. The arithmetic of a cross product has an error of 2
-// sqrt(2) e times the lengths of its factors, each rounded factor adds e; a sum of three products has 3 e times theirs.
-// 1. n: 6 e |U| |V|. a: 6 + 1 + 3 = 10 e |U| |V| L, at most 20 e m L. cross(c, D): 5 + 2.5 + 7.1 < 15 e L; u a and v a:
-//    15 + 2.5 + 7.5 = 25 e m L.
-// 2. Double precision loses less than e (|gradient of u| + 1) L |n| <= e (2 m + 2 m) L = 4 e m L, see 2. above.
-// 3. u a <= |a|: 25 + 20, and 3 for the sum |a| + slack L. (u + v) a <= |a|: 50 + 20 + 4 + 3, with 4 for the sum, and
-//    twice the 4 of double precision: 85 e m L. If the sign of a is wrong, |a| <= 20 e m L, and so are u a and v a,
-//    whose sum then has an error of at most 20 + 50 + 4 e m L either way. So 96 e m L.
-// 4. t a = dot(n, c): 15 + 5 + 7.5 = 27.5 e |U| |V|. |a| times the ends of the segment, at most 1.01 / L: 10 e |U| |V|
-//    for a, 4 for the ends and the multiplication, 1 for double precision: less than 48 e |U| |V| <= 96 e m.
-// So a line certainly meets a surface if it passes these tests with the slack on the other side; what double precision
-// loses is part of the sums. The start of a ray may be 1.4e-5 from the plane in the row of its surface
-// (displacement_limit): for surfaces in this plane t a is at most 1.4e-5 |n| + 48 e |U| |V|, below 6 times the slack of
-// 96 e m since |n| <= 2 m. Corner and edges are computed from the row, as the basis dual to its three gradients, and
-// not from the surface, so that the filter tests the same figure as SurfaceTable::decide. If can_be_filtered is true,
-// double precision loses much less than e with them.
-LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame)
+SurfaceBlock block_of(const SurfaceTable& table, const std::uint32_t* surfaces, std::size_t count,
+                      const FilterFrame& frame)
 {
     constexpr double slack_per_edge = 96.0 * 0x1p-24;
-    LeafBlock leaf{};
-    std::fill(std::begin(leaf.slack), std::end(leaf.slack), std::numeric_limits<float>::quiet_NaN());
-    for (unsigned lane = 0; lane < count; ++lane) {
+    SurfaceBlock block{};
+    std::fill(std::begin(block.slack), std::end(block.slack), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t lane = 0; lane < count; ++lane) {
         const SurfaceRow& row = table.row(surfaces[lane]);
         const Vec3 normal = row.vector(0);
         const Vec3 to_u = row.vector(1);
@@ -118,14 +73,14 @@ LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsi
         const double u_at_centre = dot(to_u, frame.centre()) + row.offset[1];
         const double v_at_centre = dot(to_v, frame.centre()) + row.offset[2];
         const Vec3 corner = height * scale * cross(to_u, to_v) - u_at_centre * edge_u - v_at_centre * edge_v;
-        put(leaf.corner, lane, corner);
-        put(leaf.edge_u, lane, edge_u);
-        put(leaf.edge_v, lane, edge_v);
+        put(block.corner, lane, corner);
+        put(block.edge_u, lane, edge_u);
+        put(block.edge_v, lane, edge_v);
         const double slack = slack_per_edge * std::max(length(edge_u), length(edge_v));
-        leaf.slack[lane] = static_cast<float>(table.is_triangle(surfaces[lane]) ? -slack : slack);
-        leaf.surface[lane] = surfaces[lane];
+        block.slack[lane] = static_cast<float>(table.is_triangle(surfaces[lane]) ? -slack : slack);
+        block.surface[lane] = surfaces[lane];
     }
-    return leaf;
+    return block;
 }
 
 // Bounds the displacement of three corners. The point with given plane distance, u and v solves three linear equations
@@ -153,9 +108,8 @@ bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const Filter
            displacement(0.0, 1.0) < limit;
 }
 
-// Slack of the tests of RectangleFrame, in the terms of the first note: e = 2^-24, L the length of the direction,
-// everything in the unit sphere. A rectangle is accepted into a frame if its normal and its edges differ from the axes
-// by no more than the tolerance T = 1e-5.
+// Slack of the tests of RectangleFrame, in the terms of the first note. A rectangle is accepted into a frame if its
+// normal and its edges differ from the axes by no more than the tolerance T = 1e-5.
 //
 // First without division by a: u a = (m - centre) a + h d must not exceed half |a|.
 // 1. Rounding: a component of the direction has an error of at most 6 e L, one of the middle (|m| < 1.5) 9 e, h 13 e,
@@ -165,7 +119,7 @@ bool can_be_filtered(const SurfaceRow& row, const Surface& surface, const Filter
 // 3. |h| <= |a| half_length, and h = a t for the exact t: 13 e + 10 e + 1.5 T + 1.01 T < 4 T.
 // None of these depends on the sign of a, which rounding may flip.
 //
-// Then divided by |a|, if |a| is at least A = 1e-6 S (least_approach), with S = FilterLine::scale between L and 2 L.
+// Then divided by |a|, if |a| is at least A = 1e-6 S (least_approach), with S = LineBatch::scale between L and 2 L.
 // 4. The reciprocal has the relative error R <= 2^-11. t = h / a with |h| < 2.6 has the errors 2.6 R / |a| and, from
 //    its operations, 3 e / |a|; in total, with 3., less than (4e-5 + 2.6 R) / |a| (1 + R) < (5e-5 + 3 R) / |a|: the
 //    distance slack.

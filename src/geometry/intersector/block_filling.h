@@ -1,24 +1,19 @@
 #pragma once
 
-#include "geometry/intersector/filter_line.h"
+#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_table.h"
 #include "geometry/surface.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace multipath {
 
-/// Block with empty lanes only: the tests of an empty lane reject every line.
-SurfaceBlock empty_block();
-
-/// Stores the surface of a row of the SurfaceTable in one lane of a block. The caller must give triangles lower lanes
-/// than parallelograms.
-void fill_lane(SurfaceBlock& block, unsigned lane, const SurfaceRow& row, const FilterFrame& frame);
-
-/// Leaf of the hierarchy with the `count` surfaces whose indices are in `surfaces`, at most LeafBlock::lanes.
-LeafBlock leaf_of(const SurfaceTable& table, const std::uint32_t* surfaces, unsigned count, const FilterFrame& frame);
+/// Block with the `count` surfaces whose indices are in `surfaces`, at most SurfaceBlock::lanes.
+SurfaceBlock block_of(const SurfaceTable& table, const std::uint32_t* surfaces, std::size_t count,
+                      const FilterFrame& frame);
 
 /// True if the filters and the boxes around surfaces lose no hit of `surface`: the rounding errors of `row`, which was
 /// made from `surface`, displace the corners by less than the slack of the filters and the margins of the boxes allow.

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -31,11 +29,6 @@ public:
         const Hit& operator[](std::size_t i) const { return first[i]; }
     };
 
-    HitLists();
-    HitLists(const HitLists& other); ///< does not copy the scratch buffers
-    HitLists& operator=(const HitLists& other);
-    ~HitLists();
-
     std::size_t size() const { return end_.size(); } ///< number of lines
     /// Total number of hits of all lines.
     std::size_t hit_count() const { return end_.empty() ? 0 : end_.back(); }
@@ -48,11 +41,8 @@ public:
 private:
     friend class Intersector;
 
-    struct Scratch;
-
     std::vector<Hit> hits_;        ///< may be longer than the lists need
     std::vector<std::size_t> end_; ///< per line: end of its list in hits_, where the next list begins
-    std::unique_ptr<Scratch> scratch_;
 };
 
 /// The first hit, if any, of each of several rays: the result of Intersector::closest_hits_from and hits_on_targets.
@@ -60,11 +50,6 @@ private:
 class FirstHits
 {
 public:
-    FirstHits();
-    FirstHits(const FirstHits& other); ///< does not copy the scratch buffers
-    FirstHits& operator=(const FirstHits& other);
-    ~FirstHits();
-
     std::size_t size() const { return is_hit_.size(); } ///< number of rays
     bool is_hit(std::size_t ray) const { return is_hit_[ray] != 0; }
     const Hit& operator[](std::size_t ray) const { return hits_[ray]; } ///< requires is_hit(ray)
@@ -72,23 +57,13 @@ public:
 private:
     friend class Intersector;
 
-    struct Scratch;
-
     void resize(std::size_t rays)
     {
         hits_.resize(rays);
         is_hit_.resize(rays);
     }
-    void put(std::size_t ray, const std::optional<Hit>& hit)
-    {
-        is_hit_[ray] = hit.has_value();
-        if (hit)
-            hits_[ray] = *hit;
-    }
-
     std::vector<Hit> hits_;
     std::vector<std::uint32_t> is_hit_; ///< 0 or 1 per ray
-    std::unique_ptr<Scratch> scratch_;
 };
 
 } // namespace multipath

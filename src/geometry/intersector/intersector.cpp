@@ -1,91 +1,48 @@
-// Queries for one line. Filters in single precision test 16 surfaces at a time and leave a few candidates, which
-// SurfaceTable decides in double precision. So the results are, to the last bit, those of testing all surfaces in
-// double precision. In a small scene all surfaces are filtered; a large scene has a hierarchy, whose leaves are
-// filtered.
-//
-// Rays that start on a surface ignore its plane. Only if another surface covers the start does the order of coincident
-// faces matter: then the ray is extended backwards to the whole line, whose hits are found and ordered, and the hit
-// after the ray's own surface is taken.
+// Order of hits along a line, which of several hits at the same t comes first, and queries that are not about many
+// lines. Those for one line are searches for a batch of one (batches.cpp).
 
 #include "geometry/intersector/core.h"
 
 #include <algorithm>
-#include <array>
 
 namespace multipath {
 
-namespace {
-
-constexpr std::size_t flat_words = FlatSurfaces::most / 64;
-
-} // namespace
-
-FlatSurfaces Intersector::Core::flat_surfaces() const
+void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
 {
-    return {blocks_.data(),
-            flat_plane_.data(),
-            flat_number_.data(),
-            flat_triangles_,
-            static_cast<unsigned>(framed_.others.size()),
-            static_cast<unsigned>(lane_number_.size()),
-            framed_.frames.data(),
-            static_cast<unsigned>(framed_.frames.size()),
-            framed_.rectangles.data()};
-}
-
-/// Fills a batch with one line.
-LineCourse Intersector::Core::place_one(const Line& line, LineBatch& batch) const
-{
-    FilterLine placed;
-    const LineCourse course = frame_.place(line, placed);
-    batch.put(0, placed, course);
-    return course;
-}
-
-/// Calls visit(surface) for every surface that the line may meet: a small superset of those that it meets.
-template <class Visit>
-void Intersector::Core::for_each_candidate(const Line& line, const Visit& visit) const
-{
-    LineBatch batch;
-    const LineCourse course = place_one(line, batch);
-    if (course == LineCourse::unfit) {
-        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
-            visit(surface);
-        return;
-    }
-    for (const std::uint32_t surface : unfiltered_)
-        visit(surface);
-    if (course == LineCourse::misses) // a third of the chords of the scene's sphere
-        return;
-    if (!tree_.empty()) {
-        thread_local CandidateScratch work; // keeps its buffers
-        constexpr std::uint32_t only = 0;
-        search_tree(batch, &only, 1, work);
-        for (std::size_t i = 0; i < work.found.count; ++i)
-            visit(work.found.elements[i].surface);
-        return;
-    }
-    std::array<std::uint64_t, flat_words> masks{};
-    kernel_->filter_line(blocks_.data(), static_cast<std::uint32_t>(blocks_.size()), batch.line(0), masks.data());
-    for (std::size_t word = 0; word < flat_words; ++word)
-        for (std::uint64_t mask = masks[word]; mask != 0; mask &= mask - 1)
-            visit(lane_number_[64 * word + static_cast<unsigned>(__builtin_ctzll(mask))]);
+    core_->all_hits(lines, count, lists);
 }
 
 void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
 {
-    core_->all_hits(line, hits);
+    thread_local HitLists lists; // keeps its memory
+    core_->all_hits(&line, 1, lists);
+    hits.assign(lists[0].begin(), lists[0].end());
 }
 
-void Intersector::Core::all_hits(const Line& line, std::vector<Hit>& hits) const
+void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays, std::size_t count,
+                                    FirstHits& found) const
 {
-    hits.clear();
-    for_each_candidate(line, [&](std::uint32_t surface) {
-        Hit hit;
-        if (table_.decide(line, surface, hit))
-            hits.push_back(hit);
-    });
-    put_in_order(hits.data(), hits.size());
+    core_->find_first({from, nullptr, rays, count, found});
+}
+
+std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
+{
+    thread_local FirstHits found; // keeps its memory
+    core_->find_first({&from, nullptr, &ray, 1, found});
+    return found.is_hit(0) ? std::optional<Hit>(found[0]) : std::nullopt;
+}
+
+std::optional<Hit> Intersector::closest_hit(const Line& line) const
+{
+    return closest_hit_from(no_surface, line);
+}
+
+void Intersector::hits_on_targets(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays,
+                                  std::size_t count, FirstHits& found) const
+{
+    core_->find_first({from, targets, rays, count, found});
+    for (std::size_t i = 0; i < count; ++i)
+        found.is_hit_[i] = every(found.is_hit_[i] != 0, found.hits_[i].surface == targets[i]);
 }
 
 /// Sorts many hits by comes_before, with the keys copied into one array because the ranks are scattered in memory.
@@ -130,37 +87,18 @@ void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
         order_coincident_hits(hits, count, outside_is_solid_);
 }
 
-std::optional<Hit> Intersector::closest_hit(const Line& line) const
+/// Updates `nearest` if the line meets the surface, unless it lies in the excluded plane.
+void Intersector::Core::take_surface(const Line& line, std::uint32_t excluded_plane, std::uint32_t surface,
+                                     NearestHit& nearest) const
 {
-    return core_->nearest(line, Core::no_plane);
-}
-
-std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
-{
-    // If another face covers the start, the order of coincident faces decides whether the ray meets it.
-    if (!core_->is_covered(from, ray.origin))
-        return core_->nearest(ray, core_->plane_[from]);
-    std::vector<Hit> along;
-    all_hits(core_->whole_line(ray), along);
-    return core_->next_along(along, from, ray);
-}
-
-/// True if another surface in the plane of `from` contains the point.
-bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
-{
-    bool covered = false;
-    for_each_coincident(from, point, [&](std::uint32_t) { covered = true; });
-    return covered;
-}
-
-/// Updates `nearest` with a hit.
-void Intersector::Core::take(const Hit& hit, NearestHit& nearest) const
-{
-    if (hit.t < nearest.best.t) {
+    Hit hit;
+    if (plane_[surface] == excluded_plane || !table_.decide(line, surface, hit) || hit.t > nearest.best.t)
+        return;
+    if (hit.t == nearest.best.t) {
+        take_coincident(hit, nearest);
+    } else {
         nearest.best = hit;
         nearest.has_back = false;
-    } else if (hit.t == nearest.best.t) {
-        take_coincident(hit, nearest);
     }
 }
 
@@ -178,50 +116,6 @@ void Intersector::Core::take_coincident(const Hit& hit, NearestHit& nearest) con
     nearest.best = hit.front ? hit : nearest.best;
 }
 
-/// First hit of a line, ignoring the surfaces in one plane.
-std::optional<Hit> Intersector::Core::nearest(const Line& line, std::uint32_t excluded_plane) const
-{
-    NearestHit nearest;
-    LineBatch batch;
-    if (!tree_.empty() && unfiltered_.empty() && place_one(line, batch) == LineCourse::passes) {
-        thread_local FirstHitScratch work; // keeps its buffers
-        work.rays.assign(1, searched_ray(0, excluded_plane));
-        work.nearest.assign(1, nearest);
-        search_first(batch, &line, false, work);
-        nearest = work.nearest[0];
-    } else {
-        for_each_candidate(line, [&](std::uint32_t surface) {
-            Hit hit;
-            if (plane_[surface] != excluded_plane && table_.decide(line, surface, hit))
-                take(hit, nearest);
-        });
-    }
-    return first_of(nearest, line, excluded_plane);
-}
-
-/// Chooses between the front and the back that a ray meets at the same t: the front, unless the two have different
-/// outlines (a floor seen from below with an object on it). Then the order along the whole line decides, as in
-/// all_hits.
-std::optional<Hit> Intersector::Core::first_of(const NearestHit& nearest, const Line& line,
-                                               std::uint32_t excluded_plane) const
-{
-    if (!nearest.is_hit())
-        return std::nullopt;
-    if (!nearest.has_back || excluded_plane == no_plane || have_same_outline(nearest.best, nearest.back))
-        return nearest.best;
-    std::vector<Hit> along;
-    all_hits(whole_line(line), along);
-    const auto best =
-        std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == nearest.best.surface; });
-    for (auto hit = along.begin(); hit != best && best != along.end(); ++hit) {
-        Hit result;
-        if (hit->t == best->t && plane_[hit->surface] != excluded_plane && table_.decide(line, hit->surface, result) &&
-            result.t == nearest.best.t)
-            return result;
-    }
-    return nearest.best;
-}
-
 /// Calls visit(surface) for all surfaces that may lie in the plane of a surface and contain a point of it.
 template <class Visit>
 void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const
@@ -230,12 +124,8 @@ void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visi
         neighbours_.for_each_around(of, frame_.to_frame(point), visit);
         return;
     }
-    if (tree_.empty())
-        for (std::uint32_t surface = 0; surface < table_.size(); ++surface)
-            visit(surface);
-    else
-        for (const std::uint32_t surface : unfiltered_)
-            visit(surface);
+    for (const std::uint32_t surface : unfiltered_)
+        visit(surface);
     tree_.for_each_around(frame_.to_frame(point), [&](std::uint32_t surface) {
         visit(surface);
         return true;
@@ -252,11 +142,12 @@ void Intersector::Core::for_each_coincident(std::uint32_t of, Vec3 point, const 
     });
 }
 
-std::size_t Intersector::surfaces_around(std::uint32_t of, Vec3 point) const
+/// True if another surface in the plane of `from` contains the point.
+bool Intersector::Core::is_covered(std::uint32_t from, Vec3 point) const
 {
-    std::size_t count = 0;
-    core_->for_each_around(of, point, [&](std::uint32_t) { ++count; });
-    return count;
+    bool covered = false;
+    for_each_coincident(from, point, [&](std::uint32_t) { covered = true; });
+    return covered;
 }
 
 std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Vec3 point) const
@@ -266,10 +157,15 @@ std::vector<std::uint32_t> Intersector::coincident_surfaces(std::uint32_t of, Ve
     return found;
 }
 
-std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bounds& box) const
+std::size_t Intersector::surfaces_around(std::uint32_t of, Vec3 point) const
 {
-    if (core_->tree_.empty())
-        return std::nullopt;
+    std::size_t count = 0;
+    core_->for_each_around(of, point, [&](std::uint32_t) { ++count; });
+    return count;
+}
+
+std::vector<std::uint32_t> Intersector::surfaces_near(const Bounds& box) const
+{
     constexpr double rounding = 1e-6; // of coordinates in the frame, in single precision
     const Vec3 margin = {rounding, rounding, rounding};
     std::vector<std::uint32_t> found = core_->unfiltered_;
@@ -285,26 +181,6 @@ std::optional<std::vector<std::uint32_t>> Intersector::surfaces_near(const Bound
 double Intersector::Core::reach_of(const Line& ray) const
 {
     return (2.0 * frame_.radius() + length(ray.origin - frame_.centre())) / length(ray.direction);
-}
-
-Line Intersector::Core::whole_line(const Line& ray) const
-{
-    return {ray.at(-reach_of(ray)), ray.direction};
-}
-
-/// The hit after surface `from` along the whole line of a ray, as a hit of the ray.
-std::optional<Hit> Intersector::Core::next_along(HitLists::List whole_line, std::uint32_t from, const Line& ray) const
-{
-    const auto own =
-        std::find_if(whole_line.begin(), whole_line.end(), [&](const Hit& hit) { return hit.surface == from; });
-    if (own == whole_line.end()) // by rounding the start lies outside of its surface
-        return nearest(ray, plane_[from]);
-    const auto next = own + 1;
-    if (next == whole_line.end())
-        return std::nullopt;
-    Hit result = *next;
-    result.t = std::max(0.0, result.t - reach_of(ray));
-    return result;
 }
 
 std::optional<Hit> Intersector::hit_on(const Line& line, std::uint32_t surface) const

@@ -64,9 +64,8 @@ public:
     /// PlaneNeighbours::is_listed).
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
-    /// A superset of the surfaces that reach into the box, in no particular order. std::nullopt if the scene is so
-    /// small that the caller had better test all surfaces.
-    std::optional<std::vector<std::uint32_t>> surfaces_near(const Bounds& box) const;
+    /// A superset of the surfaces that reach into the box, in no particular order.
+    std::vector<std::uint32_t> surfaces_near(const Bounds& box) const;
 
     /// The hit of the line on this surface, or std::nullopt if they do not meet.
     std::optional<Hit> hit_on(const Line& line, std::uint32_t surface) const;
@@ -78,12 +77,7 @@ public:
     std::size_t surfaces_around(std::uint32_t of, Vec3 point) const;
 
 private:
-    class Core;
-
-    void append_one_by_one(const Line* lines, std::size_t first, std::size_t last, HitLists& lists) const;
-    void find_first(const std::uint32_t* from, const std::uint32_t* targets, const Line* rays, std::size_t count,
-                    FirstHits& found) const;
-    void find_first_of_covered(const std::uint32_t* from, const Line* rays, std::size_t count, FirstHits& found) const;
+    struct Core;
 
     std::unique_ptr<const Core> core_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/hit.h"
-#include "geometry/intersector/filter_line.h"
+#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/surface_block.h"
 #include "geometry/intersector/surface_table.h"
 #include "geometry/line.h"
@@ -17,12 +17,12 @@ namespace multipath {
 struct TreeView
 {
     const WideNode* nodes; ///< nodes[0] is the root
-    const LeafBlock* leaves;
+    const SurfaceBlock* leaves;
     bool is_large; ///< true if the leaves exceed the caches, so that prefetching them pays
 };
 
-/// FilterLine in the form that the search uses for slab tests. Along each axis, the line meets the plane at coordinate
-/// c at t = c * inverse + at_zero. All t count from the middle of the line.
+/// A line of a LineBatch in the form that the search uses for slab tests. Along each axis, the line meets the plane at
+/// coordinate c at t = c * inverse + at_zero. All t count from the middle of the line.
 struct TreeLine
 {
     float inverse[3];
@@ -30,9 +30,9 @@ struct TreeLine
     std::uint32_t near_plane[3]; ///< offset in WideNode::plane of the planes through which the line enters boxes
     std::uint32_t far_plane[3];  ///< offset in WideNode::plane of the planes through which the line leaves boxes
     float direction[3];
-    float backwards[3]; ///< -FilterLine::middle
-    float scale;        ///< FilterLine::scale
-    float first;        ///< the search covers first <= t <= last
+    float middle[3];
+    float scale; ///< LineBatch::scale
+    float first; ///< the search covers first <= t <= last
     float last;
     std::uint32_t number; ///< index of the line in the batch
 };
@@ -125,21 +125,14 @@ struct FilterKernel
     /// FilterFrame::place for up to LineBatch::most lines, stored in the entries 0 ... count - 1 of the batch.
     void (*place_lines)(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch);
 
-    /// Marks the surfaces that the lines 0 ... count - 1 of a batch may meet. `whole`: true if FilterLine::whole holds
-    /// for all of these lines that pass through the box; tests of t are omitted then.
-    void (*filter_flat)(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count, bool whole,
-                        FlatMarks& marks);
+    /// Marks the surfaces that the lines 0 ... count - 1 of a batch may meet.
+    void (*filter_flat)(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count, FlatMarks& marks);
 
     /// Finds the surface that each of the lines 0 ... count - 1 of a batch may meet first. Ignores for line i the
     /// surfaces whose plane number is excluded_planes[i]. This array must have LineBatch::most elements, aligned to 64
     /// bytes.
     void (*nearest_flat)(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count,
                          const float* excluded_planes, NearestCandidates& found);
-
-    /// Tests one line: sets bit b % 4 * 16 + i of masks[b / 4] if the line may meet the surface in lane i of block b,
-    /// and clears the bit otherwise.
-    void (*filter_line)(const SurfaceBlock* blocks, std::uint32_t block_count, const FilterLine& line,
-                        std::uint64_t* masks);
 
     /// Prepares lines of the batch for the search in the hierarchy. `numbers`: their indices in the batch, in ascending
     /// order.

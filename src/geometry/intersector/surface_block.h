@@ -29,52 +29,47 @@ struct FrameRectangle
 
     // Tolerances with which the tests lose no hit, derived in block_filling.cpp. `error` is the relative error of the
     // reciprocal 1 / |a| on this processor, at most 2^-11.
-    static constexpr float least_approach = 1e-6f; ///< lower bound of |a| in 1 / |a|, per unit of FilterLine::scale
-    /// Slack of |u| and |v|, per unit of FilterLine::scale / |a|.
+    static constexpr float least_approach = 1e-6f; ///< lower bound of |a| in 1 / |a|, per unit of LineBatch::scale
+    /// Slack of |u| and |v|, per unit of LineBatch::scale / |a|.
     static constexpr float slack(float error) { return 1.1e-4f + 3.0f * error; }
     /// Slack of |t|, per unit of 1 / |a|.
     static constexpr float distance_slack(float error) { return 5e-5f + 3.0f * error; }
 };
 
-/// Up to 16 surfaces as a structure of arrays, in single precision and in the coordinates of FilterFrame, so that a
-/// filter tests all of them at once. Entry `lane` of every array belongs to the same surface. Plain data, because the
-/// kernels for all instruction sets include this file.
+/// Up to 16 surfaces as a structure of arrays, in the coordinates of FilterFrame: a leaf of the hierarchy, or part of a
+/// small scene. Entry `lane` of every array belongs to the same surface. Plain data.
 ///
-/// Let the coordinates u, v on a surface run from -1 to 1, and multiply every test by the approach a = dot(normal,
-/// direction). A line passes through the surface if |u a| <= |a|, |v a| <= |a| and, for a triangle, (u a + v a) sign(a)
-/// <= 0. No test needs a division, and u a and v a are linear in the line's Plücker coordinates:
-///     u a = dot(u_moment, moment) + dot(u_direction, direction).
-/// The crossing lies between the ends of the line if |h| <= |a| half_length, where h is the distance of the line's
-/// middle from the plane. block_filling.cpp derives the slack with which these tests lose no hit.
+/// The test is that of Möller and Trumbore (Fast, minimum storage ray-triangle intersection, 1997). Let U, V be the
+/// edges, c the vector from the line's middle to the corner, n = cross(U, V) and a = dot(n, direction). The line
+/// crosses the plane at t = dot(n, c) / a, counted from the middle of the line, at the coordinates u, v (from 0 to 1)
+/// with
+///     u a = dot(cross(c, direction), V),  v a = -dot(cross(c, direction), U).
+/// The line passes through a parallelogram if u a and v a, multiplied by the sign of a, lie between 0 and |a|. For a
+/// triangle, u a + v a must also lie there. block_filling.cpp derives the slack.
 struct alignas(64) SurfaceBlock
 {
     static constexpr unsigned lanes = 16;
 
-    float normal[3][lanes]; ///< unit normal on the front side
-    float offset[lanes];    ///< dot(normal, p) = offset in the plane
-    float u_moment[3][lanes];
-    float u_direction[3][lanes];
-    float v_moment[3][lanes];
-    float v_direction[3][lanes];
-    float slack[lanes];    ///< tolerance of |u a| and |v a|, per unit of FilterLine::scale; negative in an empty lane
-    float diagonal[lanes]; ///< upper bound of (u a + v a) sign(a), per unit of FilterLine::scale; no_diagonal for a
-                           ///< parallelogram. Triangles have the first lanes of a block
+    float corner[3][lanes];
+    float edge_u[3][lanes];
+    float edge_v[3][lanes];
+    float slack[lanes]; ///< tolerance of u a and v a, per unit of LineBatch::scale, and tolerance of t a; negated for
+                        ///< a triangle; NaN in an empty lane
+    std::uint32_t surface[lanes]; ///< index of the surface in the SurfaceList
 
-    static constexpr float no_diagonal = 0x1p+100f;
-    static constexpr float distance_slack = 0x1p-19f; ///< tolerance of |h|
+    /// A surface in the plane around the start of a ray has t a below this many times its tolerance; derived in
+    /// block_filling.cpp.
+    static constexpr float beyond_own_plane = 8.0f;
 };
 
-/// The surfaces of a small scene, which are all tested against every line. They are numbered in the order: triangles,
-/// parallelograms without a frame, rectangles that belong to frames. Surface s has lane s % 16 of block s / 16; the
-/// rectangles are stored a second time with their frames.
+/// The surfaces of a small scene, which are all tested against every line. They are numbered in the order: surfaces
+/// without a frame, rectangles that belong to frames.
 struct FlatSurfaces
 {
-    const SurfaceBlock* blocks;
-    const float* plane;  ///< plane[s]: plane number of surface s (see SharedPlanes)
-    const float* number; ///< number[s]: index of surface s in the SurfaceList, for the caller
-    unsigned triangles;  ///< number of triangles
-    unsigned others;     ///< number of triangles and parallelograms without frame
-    unsigned count;      ///< number of all surfaces, at most `most`
+    const SurfaceBlock* blocks; ///< surface s without a frame has lane s % 16 of block s / 16
+    const float* plane;         ///< plane[s]: plane number of surface s (see SharedPlanes)
+    unsigned others;            ///< number of surfaces without a frame
+    unsigned count;             ///< number of all surfaces, at most `most`
     const RectangleFrame* frames;
     unsigned frame_count;
     const FrameRectangle* rectangles; ///< surface s has the rectangle s - others; sorted by frame and axis
@@ -95,32 +90,6 @@ struct alignas(64) WideNode
 
     static constexpr unsigned low(unsigned axis) { return axis * lanes; } ///< offset in `plane` of the low planes
     static constexpr unsigned high(unsigned axis) { return (3 + axis) * lanes; }
-};
-
-/// Leaf of the hierarchy: up to 16 surfaces as a structure of arrays, in the coordinates of FilterFrame. A leaf takes
-/// 704 bytes, a SurfaceBlock 1,152: large scenes are limited by memory access. Plain data.
-///
-/// The test is that of Möller and Trumbore (Fast, minimum storage ray-triangle intersection, 1997). Let U, V be the
-/// edges, c the vector from the line's middle to the corner, n = cross(U, V) and a = dot(n, direction). The line
-/// crosses the plane at t = dot(n, c) / a, counted from the middle of the line, at the coordinates u, v (from 0 to 1)
-/// with
-///     u a = dot(cross(c, direction), V),  v a = -dot(cross(c, direction), U).
-/// The line passes through a parallelogram if u a and v a, multiplied by the sign of a, lie between 0 and |a|. For a
-/// triangle, u a + v a must also lie there. block_filling.cpp derives the slack.
-struct alignas(64) LeafBlock
-{
-    static constexpr unsigned lanes = 16;
-
-    float corner[3][lanes];
-    float edge_u[3][lanes];
-    float edge_v[3][lanes];
-    float slack[lanes]; ///< tolerance of u a and v a, per unit of FilterLine::scale, and tolerance of t a; negated for
-                        ///< a triangle; NaN in an empty lane
-    std::uint32_t surface[lanes]; ///< index of the surface in the SurfaceList
-
-    /// A surface in the plane around the start of a ray has t a below this many times its tolerance; derived in
-    /// block_filling.cpp.
-    static constexpr float beyond_own_plane = 8.0f;
 };
 
 } // namespace multipath

@@ -33,6 +33,7 @@ struct alignas(64) SurfaceRow
 class SurfaceTable
 {
 public:
+    SurfaceTable() = default;
     /// `planes`: the result of share_planes for these surfaces.
     SurfaceTable(const SurfaceList& surfaces, const SharedPlanes& planes, int threads = 1);
 

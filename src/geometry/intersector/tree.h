@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "geometry/bounds.h"
 #include "geometry/conditions.h"
-#include "geometry/intersector/filter_line.h"
+#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/surface_block.h"
 
 #include <cstdint>

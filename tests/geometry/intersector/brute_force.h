@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/intersector/filter_line.h"
+#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/intersector/surface_sizes.h"

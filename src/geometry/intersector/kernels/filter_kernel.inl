@@ -12,7 +12,7 @@ namespace multipath {
 namespace LANE_SET {
 namespace {
 
-constexpr FilterKernel table = {LANE_SET_NAME,   place_lines,     filter_flat, nearest_flat,      filter_line,
+constexpr FilterKernel table = {LANE_SET_NAME,   place_lines,     filter_flat, nearest_flat,
                                 fill_tree_lines, find_candidates, find_first,  decide_candidates, decide_nearest};
 
 } // namespace

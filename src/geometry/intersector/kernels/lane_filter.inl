@@ -1,5 +1,6 @@
-// Filter of one line against blocks of surfaces, vectorised over the surfaces of a block. Included once for each
-// instruction set (see parallel/lanes/every_set.inl).
+// Test of a surface and a line in each lane. Searches in the hierarchy have the surfaces of a block in the lanes and
+// the same line in all of them; filters of small scenes have it the other way round. Included once for each instruction
+// set (see parallel/lanes/every_set.inl).
 
 namespace multipath {
 namespace LANE_SET {
@@ -17,85 +18,84 @@ KERNEL_CODE LaneVector spread(const float (&v)[3])
     return {Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])};
 }
 
-/// dot(a, b) + c for the vectors a of the surfaces from `lane` on.
-KERNEL_CODE Lanes dot_plus(const float (&a)[3][16], unsigned lane, const LaneVector& b, Lanes c)
+/// The vectors from `first` on of a structure of arrays.
+template <std::size_t count>
+KERNEL_CODE LaneVector load_columns(const float (&v)[3][count], std::size_t first)
 {
-    const Lanes xc = multiply_add(Lanes::load(a[0] + lane), b.x, c);
-    return multiply_add(Lanes::load(a[2] + lane), b.z, multiply_add(Lanes::load(a[1] + lane), b.y, xc));
+    return {Lanes::load(v[0] + first), Lanes::load(v[1] + first), Lanes::load(v[2] + first)};
 }
 
-/// dot(a, b) for the same vectors a.
-KERNEL_CODE Lanes dot_product(const float (&a)[3][16], unsigned lane, const LaneVector& b)
+/// Vector `i` of a structure of arrays, in all lanes.
+template <std::size_t count>
+KERNEL_CODE LaneVector spread_column(const float (&v)[3][count], std::size_t i)
 {
-    const Lanes x = Lanes::load(a[0] + lane) * b.x;
-    return multiply_add(Lanes::load(a[2] + lane), b.z, multiply_add(Lanes::load(a[1] + lane), b.y, x));
+    return {Lanes::all(v[0][i]), Lanes::all(v[1][i]), Lanes::all(v[2][i])};
 }
 
-/// The data of a line that the tests need, in all lanes.
-struct LaneLine
+KERNEL_CODE Lanes dot(const LaneVector& a, const LaneVector& b)
 {
-    LaneVector direction, moment, backwards; ///< backwards is -middle
-    Lanes half_length, scale;
+    return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
+}
+
+KERNEL_CODE LaneVector cross(const LaneVector& a, const LaneVector& b)
+{
+    return {less_product(a.y * b.z, a.z, b.y), less_product(a.z * b.x, a.x, b.z), less_product(a.x * b.y, a.y, b.x)};
+}
+
+/// A surface of a SurfaceBlock in each lane.
+struct LaneSurface
+{
+    LaneVector corner, edge_u, edge_v;
+    Lanes slack;
 };
 
-KERNEL_CODE LaneLine spread_line(const FilterLine& line)
+/// What SurfaceBlock compares, all of it multiplied by the sign of a.
+struct PlaneCrossing
 {
-    const float backwards[3] = {-line.middle[0], -line.middle[1], -line.middle[2]};
-    return {spread(line.direction), spread(line.moment), spread(backwards), Lanes::all(line.half_length),
-            Lanes::all(line.scale)};
-}
+    Lanes a, u, v, t;
+    Lanes sum;            ///< u + v for a triangle, else u
+    Lanes slack;          ///< of u, v and sum
+    Lanes distance_slack; ///< of t
 
-/// Bits of the surfaces of the block that the line may meet: the tests of SurfaceBlock. `whole`: see FilterLine.
-template <bool whole, bool triangles>
-KERNEL_CODE unsigned filter_surfaces(const SurfaceBlock& block, const LaneLine& line)
-{
-    unsigned result = 0;
-    for (unsigned lane = 0; lane < SurfaceBlock::lanes; lane += Lanes::width) {
-        const Lanes a = dot_product(block.normal, lane, line.direction);
-        const Lanes u =
-            dot_plus(block.u_direction, lane, line.direction, dot_product(block.u_moment, lane, line.moment));
-        const Lanes v =
-            dot_plus(block.v_direction, lane, line.direction, dot_product(block.v_moment, lane, line.moment));
-        const Lanes limit = multiply_add(Lanes::load(block.slack + lane), line.scale, absolute(a));
-        LaneMask met = not_above(larger(absolute(u), absolute(v)), limit);
-        if (triangles)
-            met = not_above(met, with_sign_of(a, u + v), Lanes::load(block.diagonal + lane) * line.scale);
-        if (!whole) {
-            const Lanes h = dot_plus(block.normal, lane, line.backwards, Lanes::load(block.offset + lane));
-            const Lanes within = multiply_add(absolute(a), line.half_length, Lanes::all(SurfaceBlock::distance_slack));
-            met = not_above(met, absolute(h), within);
-        }
-        result |= bits(met) << lane;
+    /// The lines that may pass through their surfaces between `first` and `last`.
+    KERNEL_CODE LaneMask may_meet(Lanes first, Lanes last) const
+    {
+        const Lanes most = a + slack;
+        LaneMask met = not_above(Lanes::all(0.0f) - slack, smaller(u, v));
+        met = not_above(met, larger(u, v), most);
+        met = not_above(met, sum, most);
+        met = not_above(met, t, multiply_add(a, last, distance_slack));
+        return not_above(met, a * first - distance_slack, t);
     }
-    return result;
-}
 
-template <bool whole>
-KERNEL_CODE unsigned filter_block(const SurfaceBlock& block, const LaneLine& line)
-{
-    return block.diagonal[0] < SurfaceBlock::no_diagonal ? filter_surfaces<whole, true>(block, line)
-                                                         : filter_surfaces<whole, false>(block, line);
-}
-
-template <bool whole>
-KERNEL_CODE void filter_blocks(const SurfaceBlock* blocks, std::uint32_t block_count, const LaneLine& line,
-                               std::uint64_t* masks)
-{
-    for (std::uint32_t first = 0; first < block_count; first += 4) {
-        std::uint64_t mask = 0;
-        for (std::uint32_t b = first; b < block_count && b < first + 4; ++b)
-            mask |= std::uint64_t{filter_block<whole>(blocks[b], line)} << 16 * (b - first);
-        *masks++ = mask;
+    /// The lines that certainly do, farther from `first` than any surface in a plane around it.
+    KERNEL_CODE LaneMask certainly_meets(Lanes first, Lanes last) const
+    {
+        const Lanes least = a - slack;
+        LaneMask certain = not_above(slack, smaller(u, v));
+        certain = not_above(certain, larger(u, v), least);
+        certain = not_above(certain, sum, least);
+        certain = not_above(certain, t, a * last - distance_slack);
+        return not_above(certain, a * first + distance_slack * Lanes::all(SurfaceBlock::beyond_own_plane), t);
     }
-}
+};
 
-KERNEL_ENTRY void filter_line(const SurfaceBlock* blocks, std::uint32_t block_count, const FilterLine& line,
-                              std::uint64_t* masks)
+/// The terms for lines with this `middle` and `direction`; `scale`: LineBatch::scale.
+KERNEL_CODE PlaneCrossing cross_plane(const LaneSurface& surface, const LaneVector& middle, const LaneVector& direction,
+                                      Lanes scale)
 {
-    if (line.whole)
-        filter_blocks<true>(blocks, block_count, spread_line(line), masks);
-    else
-        filter_blocks<false>(blocks, block_count, spread_line(line), masks);
+    const Lanes zero = Lanes::all(0.0f);
+    const LaneVector& corner = surface.corner;
+    const LaneVector to_corner = {corner.x - middle.x, corner.y - middle.y, corner.z - middle.z};
+    const LaneVector normal = cross(surface.edge_u, surface.edge_v);
+    const LaneVector across = cross(to_corner, direction);
+    const Lanes a = dot(normal, direction);
+    const Lanes u = with_sign_of(a, dot(across, surface.edge_v));
+    const Lanes v = with_sign_of(a, zero - dot(across, surface.edge_u));
+    const Lanes t = with_sign_of(a, dot(normal, to_corner));
+    const Lanes distance_slack = absolute(surface.slack);
+    return {absolute(a),          u, v, t, where(not_above(surface.slack, zero), u + v, u), distance_slack * scale,
+            distance_slack};
 }
 
 } // namespace

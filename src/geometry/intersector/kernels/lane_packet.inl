@@ -8,31 +8,14 @@ namespace {
 /// The data of Lanes::width lines that the tests need.
 struct LinePacket
 {
-    LaneVector direction, moment, middle;
+    LaneVector direction, middle;
     Lanes half_length, scale;
 };
 
-/// The vectors of the lines from `first` on.
-KERNEL_CODE LaneVector load_columns(const float (&v)[3][LineBatch::most], std::size_t first)
-{
-    return {Lanes::load(v[0] + first), Lanes::load(v[1] + first), Lanes::load(v[2] + first)};
-}
-
 KERNEL_CODE LinePacket load_packet(const LineBatch& batch, std::size_t first)
 {
-    return {load_columns(batch.direction, first), load_columns(batch.moment, first), load_columns(batch.middle, first),
+    return {load_columns(batch.direction, first), load_columns(batch.middle, first),
             Lanes::load(batch.half_length + first), Lanes::load(batch.scale + first)};
-}
-
-/// The vector of one surface, in all lanes.
-KERNEL_CODE LaneVector spread_lane(const float (&v)[3][SurfaceBlock::lanes], unsigned lane)
-{
-    return {Lanes::all(v[0][lane]), Lanes::all(v[1][lane]), Lanes::all(v[2][lane])};
-}
-
-KERNEL_CODE Lanes dot(const LaneVector& a, const LaneVector& b)
-{
-    return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
 
 /// Result of the test of one surface: the lines that may meet the surface, and for each of them a lower bound of t at
@@ -44,28 +27,16 @@ struct SurfaceTest
 };
 
 /// The tests of SurfaceBlock for the surface in one lane.
-template <bool whole, bool triangle>
 KERNEL_CODE SurfaceTest test_surface(const SurfaceBlock& block, unsigned lane, const LinePacket& lines)
 {
-    const Lanes a = dot(spread_lane(block.normal, lane), lines.direction);
-    const Lanes u = dot(spread_lane(block.u_direction, lane), lines.direction) +
-                    dot(spread_lane(block.u_moment, lane), lines.moment);
-    const Lanes v = dot(spread_lane(block.v_direction, lane), lines.direction) +
-                    dot(spread_lane(block.v_moment, lane), lines.moment);
-    const Lanes size_a = absolute(a);
-    const Lanes limit = multiply_add(Lanes::all(block.slack[lane]), lines.scale, size_a);
-    LaneMask met = not_above(larger(absolute(u), absolute(v)), limit);
-    if (triangle)
-        met = not_above(met, with_sign_of(a, u + v), Lanes::all(block.diagonal[lane]) * lines.scale);
-
-    const Lanes slack = Lanes::all(SurfaceBlock::distance_slack);
-    const Lanes h = Lanes::all(block.offset[lane]) - dot(spread_lane(block.normal, lane), lines.middle);
-    if (!whole)
-        met = not_above(met, absolute(h), multiply_add(size_a, lines.half_length, slack));
-
+    const PlaneCrossing crossing =
+        cross_plane({spread_column(block.corner, lane), spread_column(block.edge_u, lane),
+                     spread_column(block.edge_v, lane), Lanes::all(block.slack[lane])},
+                    lines.middle, lines.direction, lines.scale);
     const Lanes least = Lanes::all(1e-30f); // divisor for which reciprocal() is still valid
-    const Lanes about = (with_sign_of(a, h) - slack) * reciprocal(larger(size_a, least));
-    return {met, about - absolute(about) * Lanes::all(2.0f * Lanes::reciprocal_error)};
+    const Lanes about = (crossing.t - crossing.distance_slack) * reciprocal(larger(crossing.a, least));
+    return {crossing.may_meet(Lanes::all(0.0f) - lines.half_length, lines.half_length),
+            about - absolute(about) * Lanes::all(2.0f * Lanes::reciprocal_error)};
 }
 
 /// Components of the lines along the three axes of a frame, with the tolerances of the tests: see RectangleFrame.
@@ -76,7 +47,7 @@ struct FramedLines
     Lanes inverse[3];        ///< reciprocal of the direction
     Lanes slack[3];          ///< FrameRectangle::slack for rectangles across axis k
     Lanes distance_slack[3]; ///< FrameRectangle::distance_slack for rectangles across axis k
-    Lanes reach[3]; ///< half length plus distance_slack
+    Lanes reach[3];          ///< half length plus distance_slack
 };
 
 /// Transforms the lines into a frame.
@@ -87,8 +58,7 @@ KERNEL_CODE FramedLines in_frame(const RectangleFrame& frame, const LinePacket& 
     const Lanes distance_slack = Lanes::all(FrameRectangle::distance_slack(Lanes::reciprocal_error));
     FramedLines framed;
     for (unsigned k = 0; k < 3; ++k) {
-        const LaneVector axis = {Lanes::all(frame.axis[k][0]), Lanes::all(frame.axis[k][1]),
-                                 Lanes::all(frame.axis[k][2])};
+        const LaneVector axis = spread(frame.axis[k]);
         const Lanes d = dot(axis, lines.direction);
         const Lanes m = dot(axis, lines.middle);
         const Lanes size = reciprocal(larger(absolute(d), least));
@@ -103,7 +73,7 @@ KERNEL_CODE FramedLines in_frame(const RectangleFrame& frame, const LinePacket& 
 }
 
 /// The tests of RectangleFrame for a rectangle across axis k.
-template <bool whole, unsigned k>
+template <unsigned k>
 KERNEL_CODE SurfaceTest test_rectangle(const FrameRectangle& rectangle, const FramedLines& lines)
 {
     constexpr unsigned i = (k + 1) % 3;
@@ -113,38 +83,35 @@ KERNEL_CODE SurfaceTest test_rectangle(const FrameRectangle& rectangle, const Fr
     const Lanes v = multiply_add(t, lines.direction[j], lines.middle[j] - Lanes::all(rectangle.centre_v));
     LaneMask met = not_above(
         larger(absolute(u) - Lanes::all(rectangle.half_u), absolute(v) - Lanes::all(rectangle.half_v)), lines.slack[k]);
-    if (!whole)
-        met = not_above(met, absolute(t), lines.reach[k]);
+    met = not_above(met, absolute(t), lines.reach[k]);
     return {met, t - lines.distance_slack[k]};
 }
 
 /// Calls visit.surface(s, test) for the rectangles across axis k of a frame, which begin at number s. Returns the
 /// number of the first rectangle across the next axis.
-template <bool whole, unsigned k, class Visit>
+template <unsigned k, class Visit>
 KERNEL_CODE unsigned test_across(const FlatSurfaces& surfaces, const RectangleFrame& frame, unsigned s,
                                  const FramedLines& lines, Visit& visit)
 {
     const unsigned end = surfaces.others + frame.end[k];
     for (; s < end; ++s)
-        visit.surface(s, test_rectangle<whole, k>(surfaces.rectangles[s - surfaces.others], lines));
+        visit.surface(s, test_rectangle<k>(surfaces.rectangles[s - surfaces.others], lines));
     return s;
 }
 
 /// Calls visit.surface(s, test) for all surfaces in the order of their numbers.
-template <bool whole, class Visit>
+template <class Visit>
 KERNEL_CODE void test_all(const FlatSurfaces& surfaces, const LinePacket& lines, Visit& visit)
 {
     unsigned s = 0;
-    for (; s < surfaces.triangles; ++s)
-        visit.surface(s, test_surface<whole, true>(surfaces.blocks[s / 16], s % 16, lines));
     for (; s < surfaces.others; ++s)
-        visit.surface(s, test_surface<whole, false>(surfaces.blocks[s / 16], s % 16, lines));
+        visit.surface(s, test_surface(surfaces.blocks[s / 16], s % 16, lines));
     for (unsigned f = 0; f < surfaces.frame_count; ++f) {
         const RectangleFrame& frame = surfaces.frames[f];
         const FramedLines framed = in_frame(frame, lines);
-        s = test_across<whole, 0>(surfaces, frame, s, framed, visit);
-        s = test_across<whole, 1>(surfaces, frame, s, framed, visit);
-        s = test_across<whole, 2>(surfaces, frame, s, framed, visit);
+        s = test_across<0>(surfaces, frame, s, framed, visit);
+        s = test_across<1>(surfaces, frame, s, framed, visit);
+        s = test_across<2>(surfaces, frame, s, framed, visit);
     }
 }
 
@@ -168,16 +135,13 @@ struct Marking
     }
 };
 
-KERNEL_ENTRY void filter_flat(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count, bool whole,
+KERNEL_ENTRY void filter_flat(const FlatSurfaces& surfaces, const LineBatch& batch, std::size_t count,
                               FlatMarks& marks)
 {
     for (std::size_t first = 0; first < count; first += Lanes::width) {
         const LinePacket lines = load_packet(batch, first);
         Marking marking{marks, first};
-        if (whole)
-            test_all<true>(surfaces, lines, marking);
-        else
-            test_all<false>(surfaces, lines, marking);
+        test_all(surfaces, lines, marking);
         if (surfaces.count % 32 != 0)
             marking.store(surfaces.count - 1);
     }
@@ -202,7 +166,7 @@ struct NearestTwo
         const Lanes t = where(met, test.earliest, Lanes::all(FlatSurfaces::never));
         const LaneMask later = not_above(first, t);
         second = smaller(second, larger(first, t));
-        number = where(later, number, Lanes::all(surfaces.number[s]));
+        number = where(later, number, Lanes::all(static_cast<float>(s)));
         first = smaller(first, t);
     }
 };
@@ -212,7 +176,7 @@ KERNEL_ENTRY void nearest_flat(const FlatSurfaces& surfaces, const LineBatch& ba
 {
     for (std::size_t first = 0; first < count; first += Lanes::width) {
         NearestTwo nearest{surfaces, Lanes::load(excluded_planes + first)};
-        test_all<false>(surfaces, load_packet(batch, first), nearest);
+        test_all(surfaces, load_packet(batch, first), nearest);
         nearest.first.store(found.first + first);
         nearest.second.store(found.second + first);
         nearest.number.store(found.number + first);

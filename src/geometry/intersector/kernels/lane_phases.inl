@@ -88,24 +88,8 @@ KERNEL_CODE void to_columns(const Line* lines, std::size_t count, LineColumns& c
 /// FilterFrame::place for all columns, even unused ones: a loop of constant length needs no remainder loop.
 KERNEL_CODE void place_columns(const FilterFrame& frame, const LineColumns& lines, std::size_t first, LineBatch& batch)
 {
-    for (std::size_t k = 0; k < LineColumns::most; ++k) {
-        const std::size_t i = first + k;
-        FilterLine placed;
-        batch.course[i] = static_cast<std::uint32_t>(frame.place(lines.line(k), placed));
-        batch.direction[0][i] = placed.direction[0];
-        batch.direction[1][i] = placed.direction[1];
-        batch.direction[2][i] = placed.direction[2];
-        batch.moment[0][i] = placed.moment[0];
-        batch.moment[1][i] = placed.moment[1];
-        batch.moment[2][i] = placed.moment[2];
-        batch.middle[0][i] = placed.middle[0];
-        batch.middle[1][i] = placed.middle[1];
-        batch.middle[2][i] = placed.middle[2];
-        batch.half_length[i] = placed.half_length;
-        batch.scale[i] = placed.scale;
-        batch.whole[i] = placed.whole;
-        batch.middle_t[i] = placed.middle_t;
-    }
+    for (std::size_t k = 0; k < LineColumns::most; ++k)
+        frame.place(lines.line(k), first + k, batch);
 }
 
 KERNEL_ENTRY void place_lines(const FilterFrame& frame, const Line* lines, std::size_t count, LineBatch& batch)

@@ -43,7 +43,7 @@ KERNEL_CODE void fill_line(const LineBatch& batch, const Inverses& inverses, std
         line.near_plane[axis] = WideNode::low(axis) + to_high;
         line.far_plane[axis] = WideNode::high(axis) - to_high;
         line.direction[axis] = d;
-        line.backwards[axis] = -batch.middle[axis][number];
+        line.middle[axis] = batch.middle[axis][number];
     }
     line.scale = batch.scale[number];
     line.first = -batch.half_length[number];
@@ -92,16 +92,6 @@ KERNEL_CODE unsigned boxes_met(const WideNode& node, const TreeLine& line, float
     return met;
 }
 
-KERNEL_CODE LaneVector lane_vector(const float (&v)[3][LeafBlock::lanes], unsigned lane)
-{
-    return {Lanes::load(v[0] + lane), Lanes::load(v[1] + lane), Lanes::load(v[2] + lane)};
-}
-
-KERNEL_CODE LaneVector cross(const LaneVector& a, const LaneVector& b)
-{
-    return {less_product(a.y * b.z, a.z, b.y), less_product(a.z * b.x, a.x, b.z), less_product(a.x * b.y, a.y, b.x)};
-}
-
 /// Bits of the surfaces of a leaf that a line may meet in the interval that is searched, and of those that it certainly
 /// meets there, farther from its start than any surface in a plane around it.
 struct LeafTest
@@ -110,47 +100,22 @@ struct LeafTest
     unsigned certain = 0;
 };
 
-/// The tests of LeafBlock. If `with_certain` is false, `certain` stays 0.
+/// The tests of a block. If `with_certain` is false, `certain` stays 0.
 template <bool with_certain>
-KERNEL_CODE LeafTest test_leaf(const LeafBlock& leaf, const TreeLine& line)
+KERNEL_CODE LeafTest test_leaf(const SurfaceBlock& leaf, const TreeLine& line)
 {
     const LaneVector direction = spread(line.direction);
-    const LaneVector backwards = spread(line.backwards);
-    const Lanes zero = Lanes::all(0.0f);
+    const LaneVector middle = spread(line.middle);
+    const Lanes first = Lanes::all(line.first);
+    const Lanes last = Lanes::all(line.last);
     LeafTest result;
-    for (unsigned lane = 0; lane < LeafBlock::lanes; lane += Lanes::width) {
-        const LaneVector corner = lane_vector(leaf.corner, lane);
-        const LaneVector edge_u = lane_vector(leaf.edge_u, lane);
-        const LaneVector edge_v = lane_vector(leaf.edge_v, lane);
-        const LaneVector to_corner = {corner.x + backwards.x, corner.y + backwards.y, corner.z + backwards.z};
-        const LaneVector normal = cross(edge_u, edge_v);
-        const LaneVector across = cross(to_corner, direction);
-        const Lanes a = dot(normal, direction);
-        const Lanes u = with_sign_of(a, dot(across, edge_v));
-        const Lanes v = with_sign_of(a, zero - dot(across, edge_u));
-        const Lanes t = with_sign_of(a, dot(normal, to_corner));
-        const Lanes size_a = absolute(a);
-        const Lanes signed_slack = Lanes::load(leaf.slack + lane);
-        const Lanes distance_slack = absolute(signed_slack);
-        const Lanes slack = distance_slack * Lanes::all(line.scale);
-        const Lanes most = size_a + slack;
-        const Lanes sum = where(not_above(signed_slack, zero), u + v, u);
-        const Lanes first = size_a * Lanes::all(line.first);
-        LaneMask met = not_above(zero - slack, smaller(u, v));
-        met = not_above(met, larger(u, v), most);
-        met = not_above(met, sum, most);
-        met = not_above(met, t, multiply_add(size_a, Lanes::all(line.last), distance_slack));
-        met = not_above(met, first - distance_slack, t);
-        result.met |= bits(met) << lane;
-        if constexpr (with_certain) {
-            const Lanes least = size_a - slack;
-            LaneMask certain = not_above(slack, smaller(u, v));
-            certain = not_above(certain, larger(u, v), least);
-            certain = not_above(certain, sum, least);
-            certain = not_above(certain, t, size_a * Lanes::all(line.last) - distance_slack);
-            certain = not_above(certain, first + distance_slack * Lanes::all(LeafBlock::beyond_own_plane), t);
-            result.certain |= bits(certain) << lane;
-        }
+    for (unsigned lane = 0; lane < SurfaceBlock::lanes; lane += Lanes::width) {
+        const PlaneCrossing crossing = cross_plane({load_columns(leaf.corner, lane), load_columns(leaf.edge_u, lane),
+                                                    load_columns(leaf.edge_v, lane), Lanes::load(leaf.slack + lane)},
+                                                   middle, direction, Lanes::all(line.scale));
+        result.met |= bits(crossing.may_meet(first, last)) << lane;
+        if constexpr (with_certain)
+            result.certain |= bits(crossing.certainly_meets(first, last)) << lane;
     }
     return result;
 }
@@ -210,7 +175,7 @@ KERNEL_ENTRY void find_candidates(const TreeView& tree, CandidateSearch& search)
         }
         for (std::size_t i = 0; i < leaf_count; ++i) {
             const TreeLine& line = search.lines[leaves[i].line];
-            const LeafBlock& leaf = tree.leaves[leaves[i].child];
+            const SurfaceBlock& leaf = tree.leaves[leaves[i].child];
             const unsigned met = test_leaf<false>(leaf, line).met;
             search.candidate_count += add_lanes(met, search.candidates + search.candidate_count, [&](unsigned lane) {
                 return LineCandidate{line.number, leaf.surface[lane]};
@@ -353,7 +318,7 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
     ActiveRay rays[at_once];
     RayTasks rounds[2];
     ActiveRay* idle[at_once + 1];
-    RayTask candidates[LeafBlock::lanes * at_once + 1];
+    RayTask candidates[SurfaceBlock::lanes * at_once + 1];
     Hit hits[at_once];
     ActiveRay* rays_of_hits[at_once];
     alignas(64) float entry[WideNode::lanes];
@@ -383,7 +348,7 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
         std::size_t candidate_count = 0;
         for (std::size_t i = 0; i < now.leaf_count; ++i) {
             ActiveRay* const ray = now.leaves[i].ray;
-            const LeafBlock& leaf = tree.leaves[now.leaves[i].index];
+            const SurfaceBlock& leaf = tree.leaves[now.leaves[i].index];
             idle[idle_count++] = ray;
             const LeafTest test = search.any ? test_leaf<true>(leaf, ray->line) : test_leaf<false>(leaf, ray->line);
             if (test.certain != 0)

@@ -12,69 +12,31 @@
 
 namespace multipath {
 
-/// Single-precision form of a line for the filters, in coordinates whose origin is the centre of the scene's box and
-/// whose unit is half the diagonal of this box: Plücker coordinates (direction and moment) and the segment near the
-/// scene, which is `middle` + t * `direction` with -half_length <= t <= half_length. Here t counts from the middle, in
-/// the same unit as the parameter of the original line.
-struct FilterLine
-{
-    float direction[3];
-    float moment[3]; ///< cross(p, direction) for any point p of the line
-    float middle[3];
-    float half_length;
-    float scale;     ///< |x| + |y| + |z| of the direction, an upper bound of the length of the direction
-    bool whole;      ///< true: neither end of the line lies inside the box, so tests of t are unnecessary
-    double middle_t; ///< parameter of `middle` on the original line
-};
-
 /// How a line runs with respect to the scene's box, as far as the filters need to know.
 enum class LineCourse : std::uint32_t {
-    misses = 0, ///< certainly meets no surface: the line misses the box or is a single point
+    misses = 0, ///< meets no surface that is filtered: the line misses the box or is a single point
     passes = 1, ///< the infinite line meets the box, and the line can be filtered
     unfit = 2   ///< the line must be decided in double precision: it starts too far away for single precision, or its
                 ///< direction is too long or too short
 };
 
-/// Batch of lines as a structure of arrays, so that compilers can vectorise loops over lines.
+/// Lines in the form that the filters use, as a structure of arrays: in single precision, and in coordinates whose
+/// origin is the centre of the scene's box and whose unit is half the diagonal of this box. Of each line they have the
+/// segment near the scene, which is `middle` + t * `direction` with -half_length <= t <= half_length. Here t counts
+/// from the middle, in the same unit as the parameter of the original line. All but the course is of use only if it is
+/// `passes`.
 struct LineBatch
 {
     static constexpr std::size_t most = 256; ///< capacity: a batch fits into the first-level cache
 
     alignas(64) float direction[3][most];
-    float moment[3][most];
     float middle[3][most];
     float half_length[most];
-    float scale[most];
-    std::uint32_t whole[most];
-    std::uint32_t course[most]; ///< a LineCourse
-    double middle_t[most];
+    float scale[most]; ///< |x| + |y| + |z| of the direction, an upper bound of the length of the direction
+    LineCourse course[most];
+    double middle_t[most]; ///< parameter of `middle` on the original line
 
-    /// Stores a line as entry i.
-    void put(std::size_t i, const FilterLine& placed, LineCourse its_course)
-    {
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            direction[axis][i] = placed.direction[axis];
-            moment[axis][i] = placed.moment[axis];
-            middle[axis][i] = placed.middle[axis];
-        }
-        half_length[i] = placed.half_length;
-        scale[i] = placed.scale;
-        whole[i] = placed.whole;
-        course[i] = static_cast<std::uint32_t>(its_course);
-        middle_t[i] = placed.middle_t;
-    }
-
-    /// Entry i as a single line.
-    FilterLine line(std::size_t i) const
-    {
-        return {{direction[0][i], direction[1][i], direction[2][i]},
-                {moment[0][i], moment[1][i], moment[2][i]},
-                {middle[0][i], middle[1][i], middle[2][i]},
-                half_length[i],
-                scale[i],
-                whole[i] != 0,
-                middle_t[i]};
-    }
+    bool passes(std::size_t i) const { return course[i] == LineCourse::passes; }
 };
 
 /// Surfaces of a small scene that each line of a batch may meet, as bits.
@@ -90,10 +52,10 @@ struct NearestCandidates
 {
     alignas(64) float first[LineBatch::most]; ///< lower bound of t at this surface, or never
     float second[LineBatch::most];            ///< lower bound of t at all other surfaces, or never
-    float number[LineBatch::most];            ///< FlatSurfaces::number of this surface; 0 if `first` is never
+    float number[LineBatch::most];            ///< number of this surface (see FlatSurfaces); 0 if `first` is never
 };
 
-/// Coordinate system of FilterLine for a scene. Coordinates in this system are called "in the frame".
+/// Coordinate system of LineBatch for a scene. Coordinates in this system are called "in the frame".
 class FilterFrame
 {
 public:
@@ -101,9 +63,8 @@ public:
     /// `box` must contain all surfaces, with a margin for rounding (see box_around).
     explicit FilterFrame(const Bounds& box);
 
-    /// Transforms a line into the frame and returns its course. Writes `placed` in every case, but `placed` is of use
-    /// only if the line passes.
-    LineCourse place(const Line& line, FilterLine& placed) const;
+    /// Transforms a line into the frame, as entry i of the batch.
+    void place(const Line& line, std::size_t i, LineBatch& batch) const;
 
     Vec3 to_frame(Vec3 p) const { return scale_ * (p - centre_); }
     Vec3 centre() const { return centre_; }   ///< centre of the box [scene units]
@@ -115,15 +76,6 @@ public:
     double reach() const { return reach_; }
 
 private:
-    /// True if a point in the frame lies well inside the box. Points near the border of the box count as outside:
-    /// between them and the border there is hardly anything to meet.
-    bool is_inside(Vec3 q) const
-    {
-        constexpr double border = 0.9999;
-        return every(std::abs(q.x) < border * half_size_.x, std::abs(q.y) < border * half_size_.y,
-                     std::abs(q.z) < border * half_size_.z);
-    }
-
     Vec3 centre_;
     double radius_ = 1.0;
     double scale_ = 1.0;
@@ -134,7 +86,7 @@ private:
 };
 
 // Branch-free: whether a random chord meets the box is hard to predict.
-inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
+inline void FilterFrame::place(const Line& line, std::size_t i, LineBatch& batch) const
 {
     const Vec3 o = to_frame(line.origin);
     const Vec3 d = scale_ * line.direction;
@@ -158,19 +110,21 @@ inline LineCourse FilterFrame::place(const Line& line, FilterLine& placed) const
     const double last = sphere_exit < line.t_max ? sphere_exit : line.t_max;
     const double middle_t = 0.5 * (first + last);
     const Vec3 middle = o + middle_t * d;
-    placed = {{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)},
-              {static_cast<float>(m.x), static_cast<float>(m.y), static_cast<float>(m.z)},
-              {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)},
-              static_cast<float>(0.5 * (last - first)),
-              static_cast<float>(size.x + size.y + size.z),
-              !any(is_inside(o), is_inside(o + last * d)),
-              middle_t};
+    batch.direction[0][i] = static_cast<float>(d.x);
+    batch.direction[1][i] = static_cast<float>(d.y);
+    batch.direction[2][i] = static_cast<float>(d.z);
+    batch.middle[0][i] = static_cast<float>(middle.x);
+    batch.middle[1][i] = static_cast<float>(middle.y);
+    batch.middle[2][i] = static_cast<float>(middle.z);
+    batch.half_length[i] = static_cast<float>(0.5 * (last - first));
+    batch.scale[i] = static_cast<float>(size.x + size.y + size.z);
+    batch.middle_t[i] = middle_t;
 
     const bool fits = every(square > 1e-40, square < 1e40, dot(o, o) + centre_square_ < reach_ * reach_);
     const bool meets = every(!apart, first <= last);
     const bool is_point = every(size.x == 0.0, size.y == 0.0, size.z == 0.0);
-    return static_cast<LineCourse>(static_cast<std::uint32_t>(every(fits, meets)) |
-                                   static_cast<std::uint32_t>(!any(fits, is_point)) << 1);
+    batch.course[i] = static_cast<LineCourse>(static_cast<std::uint32_t>(every(fits, meets)) |
+                                              static_cast<std::uint32_t>(!any(fits, is_point)) << 1);
 }
 
 inline FilterFrame::FilterFrame(const Bounds& box)
