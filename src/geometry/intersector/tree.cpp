@@ -1,7 +1,6 @@
 // Bounding volume hierarchy with 16 children per node, built in two steps. First a binary tree is split top-down by the
 // surface area heuristic (Goldsmith and Salmon 1987) over 16 bins along each axis (Wald 2007). Then its nodes are
-// collapsed into wide nodes and leaves so that the expected cost of a line is least, by dynamic programming (Ylitie,
-// Karras, Laine 2017).
+// collapsed into wide nodes (Wald, Benthin, Boulos 2008).
 
 #include "geometry/intersector/tree.h"
 
@@ -203,106 +202,27 @@ struct BinaryNode
     bool is_split() const { return right != 0; }
 };
 
-constexpr std::uint32_t leaf_size = WideNode::lanes;
-constexpr std::uint32_t not_split = 8; ///< nodes of so few primitives are not split
-constexpr int levels_by_area = 38;     ///< then halves: at most 64 levels of fewer than 2^26 primitives
+constexpr std::uint32_t not_split = WideNode::lanes; ///< nodes of so few primitives become leaves
+constexpr int levels_by_area = 38;                   ///< then halves: at most 64 levels of fewer than 2^26 primitives
 
-/// Decides which nodes of the binary tree become nodes and leaves of the wide tree, so that the expected cost of a line
-/// is least. Dynamic programming from the leaves up: for each k, the least cost of a subtree that may use k lanes of a
-/// wide node (Ylitie, Karras, Laine: Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017).
-class Collapse
+/// The nodes of the binary tree that become the children of the wide node made of node n: the largest of them, by
+/// surface area, is replaced by its two children while lanes are left.
+std::vector<std::uint32_t> wide_children(const std::vector<BinaryNode>& nodes, std::uint32_t n)
 {
-public:
-    explicit Collapse(const std::vector<BinaryNode>& nodes) : nodes_(nodes), plans_(nodes.size())
-    {
-        for (std::size_t n = nodes.size(); n-- > 0;)
-            plan(n);
+    std::vector<std::uint32_t> children = {n};
+    while (children.size() < WideNode::lanes) {
+        const auto split_area = [&](std::uint32_t c) { return nodes[c].is_split() ? nodes[c].box.area() : -1.0f; };
+        const auto largest = std::max_element(children.begin(), children.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return split_area(a) < split_area(b);
+        });
+        if (!nodes[*largest].is_split())
+            break;
+        const std::uint32_t split = *largest;
+        *largest = split + 1;
+        children.push_back(nodes[split].right);
     }
-
-    /// The binary nodes that become the children of the wide node made of binary node n.
-    std::vector<std::uint32_t> children(std::uint32_t n) const
-    {
-        std::vector<std::uint32_t> list;
-        if (nodes_[n].is_split())
-            add_split(n, WideNode::lanes, list);
-        else
-            list.push_back(n);
-        return list;
-    }
-    bool is_leaf(std::uint32_t n) const { return plans_[n].is_leaf; }
-
-private:
-    /// For each k, the best use of up to k lanes for a subtree.
-    struct Plan
-    {
-        float cost[WideNode::lanes + 1];
-        std::uint8_t left[WideNode::lanes + 1];  ///< lanes for the first child
-        std::uint8_t right[WideNode::lanes + 1]; ///< lanes for the second child
-        bool is_whole[WideNode::lanes + 1];      ///< the subtree is cheaper undivided, in a single lane
-        bool is_leaf;                            ///< in a single lane it becomes a leaf, else a node
-    };
-
-    /// Computes the plan of node n from the plans of its children.
-    void plan(std::size_t n)
-    {
-        const BinaryNode& node = nodes_[n];
-        Plan& plan = plans_[n];
-        const float area = node.box.area();
-        if (!node.is_split()) {
-            plan.is_leaf = true;
-            std::fill(std::begin(plan.cost), std::end(plan.cost), leaf_cost * area);
-            return;
-        }
-        const Plan& left = plans_[n + 1];
-        const Plan& right = plans_[node.right];
-        plan.left[1] = plan.right[1] = 1; // as for two lanes, if it must be divided
-        plan.cost[1] = std::numeric_limits<float>::max();
-        for (unsigned k = 2; k <= WideNode::lanes; ++k) {
-            plan.cost[k] = plan.cost[k - 1];
-            plan.left[k] = plan.left[k - 1];
-            plan.right[k] = plan.right[k - 1];
-            for (unsigned i = 1; i < k; ++i) {
-                const float cost = left.cost[i] + right.cost[k - i];
-                if (cost < plan.cost[k]) {
-                    plan.cost[k] = cost;
-                    plan.left[k] = static_cast<std::uint8_t>(i);
-                    plan.right[k] = static_cast<std::uint8_t>(k - i);
-                }
-            }
-        }
-        const float as_node = node_cost * area + plan.cost[WideNode::lanes];
-        const float as_leaf = node.size() <= leaf_size ? leaf_cost * area : std::numeric_limits<float>::max();
-        plan.is_leaf = as_leaf <= as_node;
-        plan.cost[1] = std::min(as_node, as_leaf);
-        plan.is_whole[1] = true;
-        for (unsigned k = 2; k <= WideNode::lanes; ++k) {
-            plan.is_whole[k] = plan.cost[1] <= plan.cost[k];
-            plan.cost[k] = std::min(plan.cost[1], plan.cost[k]);
-        }
-    }
-
-    /// Adds the binary nodes to which n is expanded in this number of lanes.
-    void add(std::uint32_t n, unsigned lanes, std::vector<std::uint32_t>& list) const
-    {
-        if (!nodes_[n].is_split() || plans_[n].is_whole[lanes])
-            list.push_back(n);
-        else
-            add_split(n, lanes, list);
-    }
-
-    /// The same for a node that is divided between its children.
-    void add_split(std::uint32_t n, unsigned lanes, std::vector<std::uint32_t>& list) const
-    {
-        add(n + 1, plans_[n].left[lanes], list);
-        add(nodes_[n].right, plans_[n].right[lanes], list);
-    }
-
-    static constexpr float node_cost = 1.0f; ///< measured, per surface area
-    static constexpr float leaf_cost = 1.5f; ///< likewise
-
-    const std::vector<BinaryNode>& nodes_;
-    std::vector<Plan> plans_;
-};
+    return children;
+}
 
 /// Builds the binary tree and from it the wide tree.
 class Builder
@@ -318,7 +238,7 @@ public:
     {
         add_binary(0, static_cast<std::uint32_t>(primitives_.size()), 0);
         unsigned most_pending = 0;
-        add_node(Collapse(binary_), 0, 0, most_pending);
+        add_node(0, 0, most_pending);
         return most_pending;
     }
 
@@ -348,18 +268,17 @@ private:
 
     /// Adds the wide node made of a binary node, and its subtree; returns its index. `pending`: number of children that
     /// are on the stack of a search when it reaches the node.
-    std::uint32_t add_node(const Collapse& collapse, std::uint32_t of, unsigned pending, unsigned& most_pending)
+    std::uint32_t add_node(std::uint32_t of, unsigned pending, unsigned& most_pending)
     {
         const auto number = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(empty_node());
-        const std::vector<std::uint32_t> children = collapse.children(of);
+        const std::vector<std::uint32_t> children = wide_children(binary_, of);
         const unsigned with_children = pending + static_cast<unsigned>(children.size());
         most_pending = std::max(most_pending, with_children);
         for (std::size_t i = 0; i < children.size(); ++i) {
             const BinaryNode child = binary_[children[i]];
-            const std::uint32_t child_number = collapse.is_leaf(children[i])
-                                                   ? add_leaf(child)
-                                                   : add_node(collapse, children[i], with_children - 1, most_pending);
+            const std::uint32_t child_number =
+                child.is_split() ? add_node(children[i], with_children - 1, most_pending) : add_leaf(child);
             WideNode& node = nodes_[number];
             node.child[i] = child_number;
             for (unsigned axis = 0; axis < 3; ++axis) {
