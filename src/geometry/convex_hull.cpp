@@ -9,6 +9,7 @@
 
 #include "geometry/convex_hull.h"
 
+#include "geometry/polygon.h"
 #include "geometry/vec3.h"
 
 #include <algorithm>
@@ -299,13 +300,6 @@ bool ConvexHull::meets(const Line& line) const
     return !sides_.empty();
 }
 
-bool ConvexHull::holds(Vec3 point) const
-{
-    return !sides_.empty() && std::all_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {
-        return dot(side.normal, point) - side.offset <= 0.0;
-    });
-}
-
 bool ConvexHull::is_separated_from(const std::vector<Vec3>& points, double overlap) const
 {
     return std::any_of(sides_.begin(), sides_.end(), [&](const HalfSpace& side) {
@@ -314,70 +308,14 @@ bool ConvexHull::is_separated_from(const std::vector<Vec3>& points, double overl
     });
 }
 
-// Hardly any of a million surfaces reaches the hull of a scene. The corners that lie farthest out in a few directions
-// span a polyhedron that almost fills the hull. Points inside of it cannot be corners of the hull and are skipped.
-
-namespace {
-
-constexpr std::size_t few_surfaces = 4096; ///< up to this number of surfaces, all corners are used
-
-/// Calls visit(corner) for all corners of all surfaces.
-template <class Visit>
-void for_each_corner(const SurfaceList& surfaces, const Visit& visit)
-{
-    for (const Surface& surface : surfaces) {
-        visit(surface.origin);
-        visit(surface.at(1.0, 0.0));
-        visit(surface.at(0.0, 1.0));
-        if (surface.shape == Shape::parallelogram)
-            visit(surface.at(1.0, 1.0));
-    }
-}
-
-/// The corners farthest out in both directions along the axes and the diagonals of a cube.
-LargeVector<Vec3> extreme_corners(const SurfaceList& surfaces)
-{
-    constexpr std::size_t directions = 7;
-    const auto coordinates_along = [](Vec3 p) {
-        return std::array<double, directions>{
-            p.x, p.y, p.z, p.x + p.y + p.z, p.x + p.y - p.z, p.x - p.y + p.z, p.y + p.z - p.x};
-    };
-    const Vec3 any = surfaces.front().origin;
-    std::array<double, directions> low = coordinates_along(any);
-    std::array<double, directions> high = low;
-    LargeVector<Vec3> extremes(2 * directions, any);
-    for_each_corner(surfaces, [&](Vec3 p) {
-        const std::array<double, directions> coordinate = coordinates_along(p);
-        for (std::size_t k = 0; k < directions; ++k) {
-            if (coordinate[k] < low[k]) {
-                low[k] = coordinate[k];
-                extremes[k] = p;
-            }
-            if (coordinate[k] > high[k]) {
-                high[k] = coordinate[k];
-                extremes[directions + k] = p;
-            }
-        }
-    });
-    return extremes;
-}
-
-} // namespace
-
 ConvexHull hull_of(const SurfaceList& surfaces)
 {
     LargeVector<Vec3> corners;
-    if (surfaces.size() <= few_surfaces) {
-        for_each_corner(surfaces, [&](Vec3 p) { corners.push_back(p); });
-        return ConvexHull(corners);
+    for (const Surface& surface : surfaces) {
+        const FlatPolygon polygon = polygon_of(surface);
+        corners.insert(corners.end(), polygon.corners.begin(),
+                       polygon.corners.begin() + static_cast<std::ptrdiff_t>(polygon.size));
     }
-    const LargeVector<Vec3> extremes = extreme_corners(surfaces);
-    const ConvexHull body(extremes);
-    corners = extremes;
-    for_each_corner(surfaces, [&](Vec3 p) {
-        if (!body.holds(p))
-            corners.push_back(p);
-    });
     return ConvexHull(corners);
 }
 

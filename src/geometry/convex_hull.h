@@ -23,8 +23,6 @@ public:
     std::size_t side_count() const { return sides_.size(); } ///< number of triangles; 0 for a flat hull
     /// True if the infinite line through `line` meets the hull; t_max does not count. Always false for a flat hull.
     bool meets(const Line& line) const;
-    /// True if the point lies inside the hull or on its sides. Always false for a flat hull.
-    bool holds(Vec3 point) const;
     /// True if, for at least one side, no point lies more than `overlap` [scene units] behind the plane of the side,
     /// towards the inside. Then the convex hull of the points reaches no deeper than `overlap` into this hull. A
     /// negative `overlap` demands a gap. The test is sufficient, not necessary: disjoint sets may give false. Always
