@@ -195,28 +195,23 @@ std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal
 
 CurvePoint mean_point(const CurveKind& kind, std::uint64_t lines, int executions, const Journal& journal)
 {
-    RunningMean relative;
-    RunningMean mean_square;
-    RunningMean local_lines;
-    RunningMean global_lines;
-    RunningMean seconds;
-    for (int number = 0; number < executions; ++number) {
-        const Execution e = *journal.find({curve_name(kind), lines, number});
-        relative.add(e.relative);
-        mean_square.add(e.mean_square);
-        local_lines.add(static_cast<double>(e.local_lines));
-        global_lines.add(static_cast<double>(e.global_lines));
-        seconds.add(e.seconds);
-    }
-    CurvePoint point;
-    point.lines = lines;
-    point.local_lines = local_lines.mean();
-    point.global_lines = global_lines.mean();
-    point.mean_square = mean_square.mean();
-    point.relative = relative.mean();
-    point.relative_error = executions > 1 ? relative.standard_error() : 0.0;
-    point.seconds = seconds.mean();
-    return point;
+    std::vector<Execution> runs;
+    for (int number = 0; number < executions; ++number)
+        runs.push_back(*journal.find({curve_name(kind), lines, number}));
+    const auto averaged = [&](auto value) {
+        RunningMean mean;
+        for (const Execution& run : runs)
+            mean.add(static_cast<double>(run.*value));
+        return mean;
+    };
+    const RunningMean relative = averaged(&Execution::relative);
+    return {lines,
+            averaged(&Execution::local_lines).mean(),
+            averaged(&Execution::global_lines).mean(),
+            averaged(&Execution::mean_square).mean(),
+            relative.mean(),
+            executions > 1 ? relative.standard_error() : 0.0,
+            averaged(&Execution::seconds).mean()};
 }
 
 Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& reference, const Journal& journal)

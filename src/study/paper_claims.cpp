@@ -9,6 +9,7 @@
 #include "study/study_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -18,11 +19,6 @@ namespace multipath {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-const CurvePoint& last_point(const Curve& curve)
-{
-    return curve.points.back();
-}
 
 /// A measured number with its 95 % interval.
 struct Measured
@@ -50,7 +46,7 @@ Ratio ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
 /// Relative MSE of a method over that of another one, at the largest number of lines, with random lines.
 Ratio error_ratio(const Study& study, const char* method, const char* other)
 {
-    return ratio_of(last_point(curve_of(study, method, "random")), last_point(curve_of(study, other, "random")),
+    return ratio_of(curve_of(study, method, "random").points.back(), curve_of(study, other, "random").points.back(),
                     study.executions);
 }
 
@@ -80,6 +76,8 @@ std::string words(const Ratio& ratio, int decimals)
 
 std::string words(const Measured& measured, int decimals)
 {
+    if (std::isinf(measured.interval))
+        return "none";
     return fixed(measured.value, decimals) + " ± " + fixed(measured.interval, decimals);
 }
 
@@ -104,39 +102,27 @@ Verdict worse(Verdict a, Verdict b)
     return std::max(a, b);
 }
 
-Claim random_slope(const PaperFindings& f)
+using MeasuredSlopes = std::array<Measured, 2>; ///< on 5CUBES and on 4CHAIRS
+
+MeasuredSlopes slopes(const PaperFindings& f, const char* sequence)
 {
-    Claim claim{"With random lines the error falls as 1/N, formula (2)", "slope −1 ± 0.05 on both scenes", "",
-                Verdict::holds, ""};
-    for (const char* name : {"figure3", "figure4"}) {
-        const Curve& curve = curve_of(f.study(name), "first-shot", "random");
-        claim.found += (claim.found.empty() ? "" : " and ") + slope_words(curve.law);
-        claim.verdict = worse(claim.verdict, between(measured(curve.law), -1.05, -0.95));
-    }
-    return claim;
+    return {measured(curve_of(f.study("figure3"), "first-shot", sequence).law),
+            measured(curve_of(f.study("figure4"), "first-shot", sequence).law)};
 }
 
-Claim sobol_below(const PaperFindings& f)
+/// The claim that both numbers are between two limits.
+Claim both_between(const char* statement, const char* expected, const MeasuredSlopes& slopes, double low, double high)
 {
-    Claim claim{"Sobol's lines do better on both scenes", "slope below −1", "", Verdict::holds, ""};
-    for (const char* name : {"figure3", "figure4"}) {
-        const Curve& curve = curve_of(f.study(name), "first-shot", "sobol");
-        claim.found += (claim.found.empty() ? "" : " and ") + slope_words(curve.law);
-        claim.verdict = worse(claim.verdict, between(measured(curve.law), -infinity, -1.0));
-    }
-    return claim;
+    return {statement, expected, words(slopes[0], 3) + " and " + words(slopes[1], 3),
+            worse(between(slopes[0], low, high), between(slopes[1], low, high)), ""};
 }
 
 Claim sobol_as_printed(const PaperFindings& f)
 {
-    const PublishedSlope& printed = published_slopes.back();
-    Claim claim{"Sobol's slopes are those of Table 1", "−1.102 and −1.122, within 0.1", "", Verdict::holds, ""};
-    for (const auto& [name, slope] : {std::pair{"figure3", printed.five_cubes}, {"figure4", printed.four_chairs}}) {
-        Measured off = measured(curve_of(f.study(name), "first-shot", "sobol").law);
-        off.value -= slope;
-        claim.found += (claim.found.empty() ? "" : " and ") + words(off, 3);
-        claim.verdict = worse(claim.verdict, between(off, -0.1, 0.1));
-    }
+    MeasuredSlopes off = slopes(f, "sobol");
+    off[0].value -= published_slopes.back().five_cubes;
+    off[1].value -= published_slopes.back().four_chairs;
+    Claim claim = both_between("Sobol's slopes are those of Table 1", "−1.102 and −1.122, within 0.1", off, -0.1, 0.1);
     claim.found += " off";
     return claim;
 }
@@ -183,18 +169,12 @@ Claim budget(const std::string& what, const PublishedBudget& printed, const Budg
                 ", f " + fixed(figures.lit_fraction, 3) + ", n_int " + fixed(figures.intersections, 2)};
 }
 
-Claim ceiling_lit(const PaperFindings& f)
+/// The claim that the error of a method over that of another one is between two limits. `times`: what the ratio
+/// multiplies.
+Claim ratio_between(const std::string& statement, const std::string& expected, const Ratio& ratio, int decimals,
+                    const std::string& times, double low, double high)
 {
-    const Ratio ratio = error_ratio(f.study("figure7"), "first-shot", "extended");
-    return {"Figure 7: lit upwards, the extended first shot is better than the first shot", "far better",
-            words(ratio, 1) + " times less error", between(ratio, 2.0, infinity), ""};
-}
-
-Claim ceiling_lit_local(const PaperFindings& f)
-{
-    const Ratio ratio = error_ratio(f.study("figure8"), "extended", "local");
-    return {"Figure 8: lit upwards, the extended first shot is like local Monte Carlo", "“of similar quality”",
-            words(ratio, 2) + " times its error", between(ratio, 0.5, 2.0), ""};
+    return {statement, expected, words(ratio, decimals) + " times " + times, between(ratio, low, high), ""};
 }
 
 Claim floor_lit(const PaperFindings& f)
@@ -207,13 +187,6 @@ Claim floor_lit(const PaperFindings& f)
             "First shot over local is " + words(error_ratio(f.study("figure9-coarse"), "first-shot", "local"), 2) +
                 " with patches of 0.5 and " + words(error_ratio(f.study("figure9-fine"), "first-shot", "local"), 2) +
                 " with patches of 0.15. Their distance depends on details of the scene that the paper does not give"};
-}
-
-Claim floor_lit_extended(const PaperFindings& f)
-{
-    const Ratio ratio = error_ratio(f.study("figure9"), "extended", "first-shot");
-    return {"Figure 9: extending the first shot does not pay there", "no noticeable improvement",
-            words(ratio, 2) + " times the error of the first shot", between(ratio, 0.7, 1.3), ""};
 }
 
 } // namespace
@@ -233,19 +206,26 @@ std::vector<Claim> paper_claims(const PaperFindings& f)
 {
     const SceneReport& up = f.four_chairs_up.report;
     const SceneReport& down = f.four_chairs.report;
-    return {random_slope(f),
-            sobol_below(f),
-            sobol_as_printed(f),
-            halton_varies(f),
-            pairs_fail(f),
-            budget("4CHAIRS lit upwards, first shot", published_up, up.figures, up.ratio_first_shot.value()),
-            budget("4CHAIRS lit downwards, first shot", published_down, down.figures, down.ratio_first_shot.value()),
-            budget("4CHAIRS, extended first shot", published_extended, extended_figures(down.figures),
-                   down.ratio_extended.value()),
-            ceiling_lit(f),
-            ceiling_lit_local(f),
-            floor_lit(f),
-            floor_lit_extended(f)};
+    return {
+        both_between("With random lines the error falls as 1/N, formula (2)", "slope −1 ± 0.05 on both scenes",
+                     slopes(f, "random"), -1.05, -0.95),
+        both_between("Sobol's lines do better on both scenes", "slope below −1", slopes(f, "sobol"), -infinity, -1.0),
+        sobol_as_printed(f),
+        halton_varies(f),
+        pairs_fail(f),
+        budget("4CHAIRS lit upwards, first shot", published_up, up.figures, up.ratio_first_shot.value()),
+        budget("4CHAIRS lit downwards, first shot", published_down, down.figures, down.ratio_first_shot.value()),
+        budget("4CHAIRS, extended first shot", published_extended, extended_figures(down.figures),
+               down.ratio_extended.value()),
+        ratio_between("Figure 7: lit upwards, the extended first shot is better than the first shot", "far better",
+                      error_ratio(f.study("figure7"), "first-shot", "extended"), 1, "less error", 2.0, infinity),
+        ratio_between("Figure 8: lit upwards, the extended first shot is like local Monte Carlo",
+                      "“of similar quality”", error_ratio(f.study("figure8"), "extended", "local"), 2, "its error", 0.5,
+                      2.0),
+        floor_lit(f),
+        ratio_between("Figure 9: extending the first shot does not pay there", "no noticeable improvement",
+                      error_ratio(f.study("figure9"), "extended", "first-shot"), 2, "the error of the first shot", 0.7,
+                      1.3)};
 }
 
 std::string verdict_word(Verdict verdict)
