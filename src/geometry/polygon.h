@@ -35,7 +35,8 @@ struct HeightRange
     /// True if no corner is farther than `limit` from the plane.
     bool within(double limit) const { return low >= -limit && high <= limit; }
 };
-/// Heights of the corners of a non-empty polygon above the plane through `point` with this unit normal.
+/// Heights of the corners of a non-empty polygon above the plane through `point` with this normal, times the length of
+/// the normal.
 HeightRange heights(const FlatPolygon& polygon, Vec3 point, Vec3 normal);
 
 /// Clips a polygon of at most four corners to the front side of the plane through `point` with this unit normal.

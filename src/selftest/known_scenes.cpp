@@ -13,10 +13,16 @@ namespace multipath {
 
 namespace {
 
-/// The sign of a term of the closed forms, which sum over both ends of four intervals: (-1)^(i + j + k + l).
-double sign_of(int i, int j, int k, int l)
+/// The closed forms sum term(i, j, k, l), with the sign (-1)^(i + j + k + l), over both ends of four intervals.
+template <class Term>
+double sum_over_ends(const Term& term)
 {
-    return (i + j + k + l) % 2 == 0 ? 1.0 : -1.0;
+    double sum = 0.0;
+    for (int bits = 0; bits < 16; ++bits) {
+        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
+        sum += ((i + j + k + l) % 2 == 0 ? 1.0 : -1.0) * term(i, j, k, l);
+    }
+    return sum;
 }
 
 } // namespace
@@ -29,12 +35,7 @@ double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interval y2, d
         return v * p * elementary::atan(v / p) + u * q * elementary::atan(u / q) -
                0.5 * z * z * elementary::log(u * u + v * v + z * z);
     };
-    double sum = 0.0;
-    for (int bits = 0; bits < 16; ++bits) {
-        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
-        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y1[j] - y2[l]);
-    }
-    return sum / (2.0 * pi);
+    return sum_over_ends([&](int i, int j, int k, int l) { return term(x1[i] - x2[k], y1[j] - y2[l]); }) / (2.0 * pi);
 }
 
 double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z)
@@ -45,12 +46,8 @@ double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z
         return (c > 0.0 ? u * c * elementary::atan(u / c) : 0.0) -
                (square > 0.0 ? 0.25 * (c2 - u * u) * elementary::log(square) : 0.0);
     };
-    double sum = 0.0;
-    for (int bits = 0; bits < 16; ++bits) {
-        const int i = bits & 1, j = bits >> 1 & 1, k = bits >> 2 & 1, l = bits >> 3;
-        sum += sign_of(i, j, k, l) * term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]);
-    }
-    return sum / (2.0 * pi);
+    const auto ends = [&](int i, int j, int k, int l) { return term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]); };
+    return sum_over_ends(ends) / (2.0 * pi);
 }
 
 // How irradiance_past() works: the polygon of the lamp is clipped by the horizon of the point. Each blocker then

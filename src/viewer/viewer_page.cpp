@@ -38,10 +38,7 @@ double clipped(double channel)
 
 std::string packed_bytes(const std::vector<std::uint8_t>& values)
 {
-    std::string bytes;
-    for (const std::uint8_t value : values)
-        bytes += static_cast<char>(value);
-    return base64(bytes);
+    return base64(std::string(values.begin(), values.end()));
 }
 
 std::string packed_counts(const std::vector<std::uint32_t>& values)

@@ -5,10 +5,10 @@
 
 #include "geometry/intersector/core.h"
 
+#include "geometry/polygon.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -23,35 +23,12 @@ constexpr std::uint32_t surfaces_at_a_time = 1024; ///< block of surfaces that o
 constexpr std::size_t many_listed = 131072;        ///< once a block has so many entries ...
 constexpr std::size_t long_list = 256;             ///< ... no longer lists are added to it, so that memory stays linear
 
-/// The corners of a surface, in order around it.
-struct Outline
+/// True if an edge of `a`, which has this normal, has all of `b` on its outer side, up to `slack`.
+bool is_separated_from(const FlatPolygon& a, Vec3 normal, const FlatPolygon& b, double slack)
 {
-    std::array<Vec3, 4> corner;
-    unsigned count;
-    Vec3 normal; ///< not of unit length
-
-    explicit Outline(const Surface& surface)
-        : corner{surface.origin, surface.origin + surface.edge_u, surface.origin + surface.edge_v, {}},
-          count(surface.shape == Shape::triangle ? 3 : 4),
-          normal(cross(surface.edge_u, surface.edge_v))
-    {
-        if (count == 4) {
-            corner[3] = corner[2];
-            corner[2] = surface.at(1.0, 1.0);
-        }
-    }
-};
-
-/// True if an edge of `a` has all of `b` on its outer side, up to `slack`.
-bool is_separated_from(const Outline& a, const Outline& b, double slack)
-{
-    for (unsigned i = 0; i < a.count; ++i) {
-        const Vec3 start = a.corner[i];
-        const Vec3 outwards = cross(a.corner[(i + 1) % a.count] - start, a.normal);
-        double innermost = dot(b.corner[0] - start, outwards);
-        for (unsigned k = 1; k < b.count; ++k)
-            innermost = std::min(innermost, dot(b.corner[k] - start, outwards));
-        if (innermost >= -slack * length(outwards))
+    for (std::size_t i = 0; i < a.size; ++i) {
+        const Vec3 outwards = cross(a.next(i) - a.corners[i], normal);
+        if (heights(b, a.corners[i], outwards).low >= -slack * length(outwards))
             return true;
     }
     return false;
@@ -65,9 +42,10 @@ bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
     constexpr double small_part = 1e-3; // share of the smaller surface
     const double size = std::sqrt(std::min(a.area(), b.area()));
     const double slack = std::min(rounding * diagonal, small_part * size);
-    const Outline first(a);
-    const Outline second(b);
-    return !is_separated_from(first, second, slack) && !is_separated_from(second, first, slack);
+    const FlatPolygon first = polygon_of(a);
+    const FlatPolygon second = polygon_of(b);
+    return !is_separated_from(first, cross(a.edge_u, a.edge_v), second, slack) &&
+           !is_separated_from(second, cross(b.edge_u, b.edge_v), first, slack);
 }
 
 /// The surfaces sorted by plane.
