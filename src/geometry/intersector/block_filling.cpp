@@ -134,45 +134,29 @@ namespace {
 
 constexpr double edge_tolerance = 1e-5; ///< T
 
-/// Coordinate along an edge: dot(along, q) - centre runs from -half to half.
-struct EdgeCoordinate
+/// The points q with |dot(along, q) - centre| <= half, in the coordinates of FilterFrame.
+struct Slab
 {
     Vec3 along; ///< unit vector
     double centre;
     double half;
 };
 
-/// A parallelogram in the coordinates of FilterFrame.
-struct PlacedParallelogram
-{
-    Vec3 normal;
-    double offset;
-    std::array<EdgeCoordinate, 2> edges;
-};
-
-/// Edge coordinate from u (or v) as an affine function: its gradient, and its value at the centre of the frame.
-EdgeCoordinate edge_coordinate(Vec3 gradient, double at_centre)
-{
-    const double steepness = length(gradient);
-    return {(1.0 / steepness) * gradient, (0.5 - at_centre) / steepness, 0.5 / steepness};
-}
-
-PlacedParallelogram placed(const SurfaceRow& row, const FilterFrame& frame)
-{
-    const auto edge = [&](std::size_t i) {
-        return edge_coordinate(frame.radius() * row.vector(i), dot(row.vector(i), frame.centre()) + row.offset[i]);
-    };
-    return {row.vector(0), frame.scale() * (row.offset[0] - dot(row.vector(0), frame.centre())), {edge(1), edge(2)}};
-}
-
-/// The sign, 1 or -1, up to which the vectors are equal within the tolerance; std::nullopt if they are not.
-std::optional<double> equal_up_to_sign(Vec3 a, Vec3 b)
-{
-    const double sign = dot(a, b) < 0.0 ? -1.0 : 1.0;
-    return length(a - sign * b) <= edge_tolerance ? std::optional<double>(sign) : std::nullopt;
-}
-
 using Axes = std::array<Vec3, 3>;
+
+/// The slabs whose intersection is a parallelogram: its plane, then those between opposite edges.
+std::array<Slab, 3> slabs_of(const SurfaceRow& row, const FilterFrame& frame)
+{
+    const auto between_edges = [&](std::size_t i) {
+        const Vec3 gradient = frame.radius() * row.vector(i);
+        const double at_centre = dot(row.vector(i), frame.centre()) + row.offset[i];
+        const double steepness = length(gradient);
+        return Slab{(1.0 / steepness) * gradient, (0.5 - at_centre) / steepness, 0.5 / steepness};
+    };
+    const Vec3 normal = row.vector(0);
+    return {Slab{normal, frame.scale() * (row.offset[0] - dot(normal, frame.centre())), 0.0}, between_edges(1),
+            between_edges(2)};
+}
 
 /// A rectangle that fits into a frame.
 struct FittedRectangle
@@ -183,34 +167,28 @@ struct FittedRectangle
     std::uint32_t surface;
 };
 
-/// The rectangle in terms of the axes, if its normal and edges are parallel to them; `frame` and `surface` are left 0.
-std::optional<FittedRectangle> fit_to(const Axes& axes, const PlacedParallelogram& p)
+/// The parallelogram in terms of the axes, if normal and edges are parallel to them; `frame` and `surface` are left 0.
+std::optional<FittedRectangle> fit_to(const Axes& axes, const std::array<Slab, 3>& slabs)
 {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::optional<double> normal_sign = equal_up_to_sign(p.normal, axes[k]);
-        if (!normal_sign)
-            continue;
-        for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {
-            const EdgeCoordinate& u = p.edges[first];
-            const EdgeCoordinate& v = p.edges[1 - first];
-            const std::optional<double> u_sign = equal_up_to_sign(u.along, axes[(k + 1) % 3]);
-            const std::optional<double> v_sign = equal_up_to_sign(v.along, axes[(k + 2) % 3]);
-            if (u_sign && v_sign)
-                return FittedRectangle{0,
-                                       k,
-                                       {static_cast<float>(*normal_sign * p.offset),
-                                        static_cast<float>(*u_sign * u.centre), static_cast<float>(*v_sign * v.centre),
-                                        static_cast<float>(u.half), static_cast<float>(v.half)},
-                                       0};
+    std::array<std::optional<Slab>, 3> across; // the slab of each axis
+    std::size_t axis = 0;                      // of the normal
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double sign = dot(slabs[i].along, axes[k]) < 0.0 ? -1.0 : 1.0;
+            if (length(slabs[i].along - sign * axes[k]) > edge_tolerance)
+                continue;
+            across[k] = {axes[k], sign * slabs[i].centre, slabs[i].half};
+            axis = i == 0 ? k : axis;
         }
-    }
-    return std::nullopt;
-}
-
-/// Orthogonal axes along the normal and the first edge; the third fits the second edge only of a rectangle.
-Axes axes_of(const PlacedParallelogram& p)
-{
-    return {p.normal, p.edges[0].along, cross(p.normal, p.edges[0].along)};
+    if (!across[0] || !across[1] || !across[2])
+        return std::nullopt;
+    const Slab& u = *across[(axis + 1) % 3];
+    const Slab& v = *across[(axis + 2) % 3];
+    return FittedRectangle{0,
+                           axis,
+                           {static_cast<float>(across[axis]->centre), static_cast<float>(u.centre),
+                            static_cast<float>(v.centre), static_cast<float>(u.half), static_cast<float>(v.half)},
+                           0};
 }
 
 RectangleFrame frame_with(const Axes& axes)
@@ -237,14 +215,15 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
             result.others.push_back(surface);
             continue;
         }
-        const PlacedParallelogram p = placed(table.row(surface), filter_frame);
+        const std::array<Slab, 3> slabs = slabs_of(table.row(surface), filter_frame);
         std::optional<FittedRectangle> fitted;
         std::size_t frame = 0;
         for (; frame < frames.size() && !fitted; ++frame)
-            fitted = fit_to(frames[frame], p);
+            fitted = fit_to(frames[frame], slabs);
         if (!fitted) {
-            const Axes own = axes_of(p);
-            fitted = fit_to(own, p);
+            const Vec3 third = cross(slabs[0].along, slabs[1].along); // along the second edge only of a rectangle
+            const Axes own = {slabs[0].along, slabs[1].along, third};
+            fitted = fit_to(own, slabs);
             if (!fitted) {
                 result.others.push_back(surface);
                 continue;
