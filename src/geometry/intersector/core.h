@@ -154,7 +154,6 @@ struct Intersector::Core
     {
         return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
     }
-    void sort_many(Hit* hits, std::size_t count) const;
     void put_in_order(Hit* hits, std::size_t count) const;
 
     template <class Visit>

@@ -45,31 +45,12 @@ void Intersector::hits_on_targets(const std::uint32_t* from, const std::uint32_t
         found.is_hit_[i] = every(found.is_hit_[i] != 0, found.hits_[i].surface == targets[i]);
 }
 
-/// Sorts many hits by comes_before, with the keys copied into one array because the ranks are scattered in memory.
-void Intersector::Core::sort_many(Hit* hits, std::size_t count) const
-{
-    struct Key
-    {
-        double t;
-        std::uint32_t rank;
-        std::uint32_t index;
-    };
-    std::vector<Key> keys(count);
-    for (std::size_t i = 0; i < count; ++i)
-        keys[i] = {hits[i].t, size_rank_[hits[i].surface], static_cast<std::uint32_t>(i)};
-    std::sort(keys.begin(), keys.end(),
-              [](const Key& a, const Key& b) { return a.t < b.t || (a.t == b.t && a.rank < b.rank); });
-    const std::vector<Hit> unsorted(hits, hits + count);
-    for (std::size_t i = 0; i < count; ++i)
-        hits[i] = unsorted[keys[i].index];
-}
-
 /// Sorts the hits of a line, including coincident ones. Most lines have a handful of hits: insertion sort.
 void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
 {
     constexpr std::size_t handful = 64;
     if (count > handful) {
-        sort_many(hits, count);
+        std::sort(hits, hits + count, [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
         order_coincident_hits(hits, count, outside_is_solid_);
         return;
     }
@@ -126,7 +107,8 @@ void Intersector::Core::for_each_around(std::uint32_t of, Vec3 point, const Visi
     }
     for (const std::uint32_t surface : unfiltered_)
         visit(surface);
-    tree_.for_each_around(frame_.to_frame(point), [&](std::uint32_t surface) {
+    const Vec3 place = frame_.to_frame(point);
+    tree_.for_each_near({place, place}, [&](std::uint32_t surface) {
         visit(surface);
         return true;
     });

@@ -165,13 +165,6 @@ private:
     CellTable cells_;
 };
 
-/// Numbers of surfaces in a plane whose normals point along and against the plane's.
-struct PlaneUse
-{
-    std::uint32_t along = 0;
-    std::uint32_t against = 0;
-};
-
 } // namespace
 
 SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::uint32_t>& order)
@@ -181,7 +174,10 @@ SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::ui
         return result;
     const Bounds bounds = bounds_of(surfaces);
     PlaneIndex index(bounds.centre(), bounds.diagonal(), surfaces.size());
-    LargeVector<PlaneUse> uses;
+    // The orientations of the surfaces in each plane, as bits: their normals point along or against that of the plane.
+    constexpr unsigned along = 1;
+    constexpr unsigned against = 2;
+    std::vector<unsigned> orientations;
     result.plane_of_surface.reserve(surfaces.size());
     for (const Surface& surface : surfaces) {
         const Vec3 normal = surface.normal();
@@ -204,18 +200,17 @@ SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::ui
         const std::uint32_t s = order[k - ahead];
         const Plane& own = result.plane_of_surface[s];
         const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own), due);
-        if (number == uses.size())
-            uses.emplace_back();
-        ++(dot(index.plane(number).normal, own.normal) > 0.0 ? uses[number].along : uses[number].against);
+        if (number == orientations.size())
+            orientations.push_back(0);
+        orientations[number] |= dot(index.plane(number).normal, own.normal) > 0.0 ? along : against;
         result.plane_number[s] = number;
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-        const PlaneUse use = uses[result.plane_number[s]];
-        if (use.along == 0 || use.against == 0)
+        if (orientations[result.plane_number[s]] != (along | against))
             continue;
         const Plane& shared = index.plane(result.plane_number[s]);
-        const bool along = dot(shared.normal, result.plane_of_surface[s].normal) > 0.0;
-        result.plane_of_surface[s] = along ? shared : Plane{-shared.normal, -shared.offset};
+        const bool is_along = dot(shared.normal, result.plane_of_surface[s].normal) > 0.0;
+        result.plane_of_surface[s] = is_along ? shared : Plane{-shared.normal, -shared.offset};
     }
     return result;
 }

@@ -35,14 +35,8 @@ public:
     /// Largest number of children that the stack of a depth-first search can hold at a time.
     unsigned most_pending() const { return most_pending_; }
 
-    /// Calls visit(number) for all primitives whose boxes contain the point, and perhaps for more, until visit returns
-    /// false.
-    template <class Visit>
-    void for_each_around(Vec3 point_in_frame, const Visit& visit) const
-    {
-        for_each_near({point_in_frame, point_in_frame}, visit);
-    }
-    /// The same for all primitives whose boxes overlap `box_in_frame`, which is first rounded to single precision.
+    /// Calls visit(number) for all primitives whose boxes overlap `box_in_frame`, which is first rounded to single
+    /// precision, and perhaps for more, until visit returns false.
     template <class Visit>
     void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 
