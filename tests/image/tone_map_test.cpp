@@ -68,9 +68,7 @@ TEST_CASE("brighter stays brighter, and the white point is where white begins")
 
 TEST_CASE("light of one channel is exposed by its part of the luminance, of Rec. 709")
 {
-    const auto scale_of = [](Rgb light) {
-        return automatic_scale(std::vector<Rgb>(12, light), ToneOperator::linear);
-    };
+    const auto scale_of = [](Rgb light) { return automatic_scale(std::vector<Rgb>(12, light), ToneOperator::linear); };
     const double white = scale_of({3, 3, 3});
     CHECK(white == doctest::Approx(0.2126 * scale_of({3, 0, 0})));
     CHECK(white == doctest::Approx(0.7152 * scale_of({0, 3, 0})));

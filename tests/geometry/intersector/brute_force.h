@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/intersector.h"
+#include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/intersector/surface_sizes.h"
 
