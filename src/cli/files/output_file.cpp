@@ -32,9 +32,9 @@ std::string folder_of(const std::string& path)
 // So the names are kept in slots of a fixed size, each with an atomic state.
 struct UnfinishedSlot
 {
-    enum State { empty, changing, full, complete };
+    enum class State { empty, changing, full, complete };
 
-    std::atomic<State> state{empty};
+    std::atomic<State> state{State::empty};
     std::array<char, 4096> path{}; ///< no system opens longer ones
     std::array<char, 4096> target{};
 };
@@ -48,19 +48,19 @@ static_assert(std::atomic<UnfinishedSlot::State>::is_always_lock_free, "a signal
 
 void ForgetUnfinished::operator()(UnfinishedSlot* slot) const noexcept
 {
-    slot->state = UnfinishedSlot::empty;
+    slot->state = UnfinishedSlot::State::empty;
 }
 
 Unfinished unfinished(const std::string& path, const std::string& target)
 {
     for (UnfinishedSlot& slot : slots) {
-        UnfinishedSlot::State expected = UnfinishedSlot::empty;
+        UnfinishedSlot::State expected = UnfinishedSlot::State::empty;
         if (std::max(path.size(), target.size()) >= slot.path.size() ||
-            !slot.state.compare_exchange_strong(expected, UnfinishedSlot::changing))
+            !slot.state.compare_exchange_strong(expected, UnfinishedSlot::State::changing))
             continue;
         std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
         std::memcpy(slot.target.data(), target.c_str(), target.size() + 1);
-        slot.state = UnfinishedSlot::full;
+        slot.state = UnfinishedSlot::State::full;
         return Unfinished(&slot);
     }
     return nullptr;
@@ -69,13 +69,13 @@ Unfinished unfinished(const std::string& path, const std::string& target)
 void complete(const Unfinished& file) noexcept
 {
     if (file)
-        file->state = UnfinishedSlot::complete;
+        file->state = UnfinishedSlot::State::complete;
 }
 
 void remove_unfinished() noexcept
 {
     for (const UnfinishedSlot& slot : slots)
-        if (slot.state == UnfinishedSlot::full || slot.state == UnfinishedSlot::complete)
+        if (slot.state == UnfinishedSlot::State::full || slot.state == UnfinishedSlot::State::complete)
             remove_file(slot.path.data());
 }
 
@@ -83,9 +83,9 @@ void settle_unfinished(void (*not_written)(const char* target)) noexcept
 {
     for (const UnfinishedSlot& slot : slots) {
         const UnfinishedSlot::State state = slot.state;
-        if (state == UnfinishedSlot::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
+        if (state == UnfinishedSlot::State::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
             continue;
-        if (state == UnfinishedSlot::full || state == UnfinishedSlot::complete)
+        if (state == UnfinishedSlot::State::full || state == UnfinishedSlot::State::complete)
             not_written(slot.target.data());
     }
     remove_unfinished();
