@@ -31,9 +31,9 @@ public:
 
 protected:
     void write(const std::string& name, Scalar scalar, const void* data, std::size_t length) override;
+    void put(std::string_view bytes); ///< padded with zeros to a multiple of eight bytes
 
 private:
-    void put(std::string_view bytes); ///< padded with zeros to a multiple of eight bytes
     /// `bytes`: in little-endian order.
     void put_array(const std::string& name, Scalar scalar, std::size_t length, std::string_view bytes);
 

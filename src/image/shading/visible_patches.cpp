@@ -52,7 +52,7 @@ std::array<Vec3, 5> test_directions(const Surface& shape)
 /// One bit for each of along * along sample points, set if is_covered() is false there. `fan`: reusable buffers.
 std::uint64_t open_points(const Scene& scene, const Patch& patch, std::uint32_t along, RayFan& fan)
 {
-    std::vector<std::uint32_t> covered(along * along); // in all directions so far
+    std::vector<std::uint32_t> covered(std::size_t{along} * along); // in all directions so far
     std::iota(covered.begin(), covered.end(), 0u);
     for (const Vec3 direction : test_directions(patch.shape)) {
         fan.rays.clear();
