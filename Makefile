@@ -182,7 +182,8 @@ place      = "$(DESTDIR)$(PREFIX)"
 completion = share/bash-completion/completions/multipath
 documents  = README.md LICENSE $(sort $(shell find docs -type f))
 own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl)) $(documents:%=share/doc/multipath/%)
-installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(completion) $(own)
+lab_page   = $(wildcard $(BUILD)/lab.html)
+installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(completion) $(own) $(lab_page:%=share/doc/multipath/lab.html)
 
 # The texts are the program's own: it writes them from the tables that it reads its options by.
 install: $(PROGRAM)
@@ -192,6 +193,7 @@ install: $(PROGRAM)
 	$(run) help --completion bash > $(place)/$(completion)
 	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
 	@for file in $(own); do install -m 644 $${file#share/*multipath/} $(place)/$$file || exit; done
+	@$(if $(lab_page),install -m 644 $(lab_page) $(place)/share/doc/multipath/lab.html)
 
 uninstall:
 	@for file in $(installed); do rm -f $(place)/$$file || exit; done
