@@ -3,16 +3,18 @@
 
 const curve_colours = ['#0072b2', '#d55e00', '#8a8a8a']; // told apart by the colour-blind, too (Okabe and Ito)
 
-// The relative mean square error (1) of radiosities, three numbers per patch, against right ones, in the mean of the
-// channels: the sum of A (B - right)^2 over that of A right^2.
+// The relative mean square error of radiosities, three numbers per patch, as the program's `compare` has it: (1) over the
+// square of the right mean radiosity, in the mean of the channels.
 function relative_error(found, right, areas) {
-  let wrong = 0, all = 0;
-  for (let i = 0; i < areas.length; ++i)
+  let wrong = 0, light = 0, all = 0;
+  for (let i = 0; i < areas.length; ++i) {
+    all += areas[i];
     for (let k = 3 * i; k < 3 * i + 3; ++k) {
-      wrong += areas[i] * (found[k] - right[k]) ** 2;
-      all += areas[i] * right[k] ** 2;
+      wrong += areas[i] * (found[k] - right[k]) ** 2 / 3;
+      light += areas[i] * right[k] / 3;
     }
-  return wrong / all;
+  }
+  return wrong * all / light ** 2;
 }
 
 // Slope and constant of log10(error) by log10(lines), by least squares over all points but the first of more than four,

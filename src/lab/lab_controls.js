@@ -126,15 +126,3 @@ class LabControls {
   }
   show_finding(text) { element('lesson-finding').textContent = text; }
 }
-
-// Copies a text; where the page may not, shows it to be copied by hand.
-async function copy_text(button, text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    const before = button.textContent;
-    button.textContent = 'Copied';
-    setTimeout(() => { button.textContent = before; }, 1500);
-  } catch {
-    window.prompt('To be copied', text);
-  }
-}

@@ -10,7 +10,7 @@ class Solver {
     this.spare = new Worker(this.script);
   }
 
-  // Starts a command. Returns { done, stop }: a promise of { code, message, files }, files a Map of bytes by name; and a
+  // Starts a command. Returns { done, stop }: a promise of { code, message, text, files }, files a Map of bytes by name; and a
   // function that ends the command, after which the promise is never fulfilled.
   run({ words, files, wanted = [], progress = () => {} }) {
     const worker = this.spare;

@@ -5,10 +5,10 @@
 // Gets  { module, words, files, wanted }   module: the compiled program; files: [name, bytes] to be written first;
 //                                          wanted: names of files to be sent back
 // Sends { progress }                       0 to 1, at most twenty times a second
-//       { code, message, files }           exit code; standard error; the wanted files that exist: [name, bytes]
+//       { code, message, text, files }     exit code; standard error and output; the wanted files that exist: [name, bytes]
 
 onmessage = async ({ data: { module, words, files, wanted } }) => {
-  let message = '', line = '', told = 0;
+  let message = '', text = '', line = '', told = 0;
   const read_progress = () => {
     const share = /(\d+) %/.exec(line), now = performance.now();
     if (share && now - told > 50) {
@@ -26,7 +26,7 @@ onmessage = async ({ data: { module, words, files, wanted } }) => {
     },
     noInitialRun: true,
     stdin: () => null,
-    stdout: () => {},
+    stdout: code => { text += String.fromCharCode(code); },
     stderr: code => {
       line += String.fromCharCode(code);
       if (code === 10 || code === 13)
@@ -47,5 +47,5 @@ onmessage = async ({ data: { module, words, files, wanted } }) => {
     message += 'status' in exit ? '' : String(exit);
   }
   const found = wanted.filter(name => FS.analyzePath(name).exists).map(name => [name, FS.readFile(name)]);
-  postMessage({ code, message: message + line, files: found }, found.map(([, bytes]) => bytes.buffer));
+  postMessage({ code, message: message + line, text, files: found }, found.map(([, bytes]) => bytes.buffer));
 };

@@ -29,6 +29,19 @@ async function same_bytes(page) {
   }
 }
 
+// The error of the curve is that of the program's compare.
+async function errors_compared(page) {
+  const table = words => `laboratory.solver.run({ words: [...${words}, '-t', '1', '-q', '-o', 'x.csv'], files: laboratory.bundled,
+    wanted: ['x.csv'] }).done.then(({ files }) => files.get('x.csv'))`;
+  const { error, report } = await page.run(`(async () => {
+    const { lines, error } = laboratory.run.points[laboratory.run.points.length - 1];
+    const files = new Map([['a.csv', await ${table('laboratory.words(lines)')}], ['b.csv', await ${table('laboratory.reference_words()')}]]);
+    return { error, report: (await laboratory.solver.run({ words: ['compare', 'a.csv', 'b.csv', '--json'], files }).done).text };
+  })()`);
+  const right = JSON.parse(report).relative_mean_square_error;
+  tell(Math.abs(error - right) < 1e-4 * right, 'the error is that of compare', `${error} ${right}`);
+}
+
 // Every lesson shows what it says, driven by its own buttons.
 async function lessons(page) {
   for (const { key, right } of await page.run('laboratory.lessons.map(({ key, right }) => ({ key, right }))')) {
@@ -92,7 +105,7 @@ async function small_screen() {
   try {
     await first_picture(page);
     await page.until(done);
-    for (const look of [same_bytes, links, own_rooms, lessons, many_runs])
+    for (const look of [same_bytes, links, errors_compared, own_rooms, lessons, many_runs])
       await look(page);
     tell(page.said.length === 0, 'no error on the console', page.said.join('; '));
   } finally {

@@ -13,6 +13,20 @@ function append_element(parent, name, text) {
 
 const grouped = count => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
 
+const save_as = (name, url) => Object.assign(document.createElement('a'), { href: url, download: name }).click();
+
+// Copies a text at the press of a button. Some browsers do not let pages from files use the clipboard.
+async function copy_text(button, text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    const before = button.textContent;
+    button.textContent = 'Copied';
+    setTimeout(() => { button.textContent = before; }, 1500);
+  } catch {
+    window.prompt('To be copied', text);
+  }
+}
+
 class Panel {
   constructor(viewer) {
     this.viewer = viewer;
@@ -46,9 +60,9 @@ class Panel {
     on('tone', 'change', event => viewer.change({ tone: event.target.value }));
     on('home', 'click', () => viewer.go_home());
     on('copy-view', 'click', () => this.copy_view());
-    on('save-view', 'click', () => this.save('view.json',
+    on('save-view', 'click', () => save_as('view.json',
       'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));
-    on('save-picture', 'click', () => this.save('view.png', viewer.png()));
+    on('save-picture', 'click', () => save_as('view.png', viewer.png()));
     on('fold', 'click', () => this.fold(!this.folded));
     on('help-button', 'click', () => this.help());
   }
@@ -64,19 +78,7 @@ class Panel {
 
   help() { element('help').showModal(); }
 
-  save(name, url) { Object.assign(document.createElement('a'), { href: url, download: name }).click(); }
-
-  // Some browsers do not let pages from files use the clipboard.
-  async copy_view() {
-    const text = this.viewer.view_options();
-    try {
-      await navigator.clipboard.writeText(text);
-      element('copy-view').textContent = 'Copied';
-      setTimeout(() => { element('copy-view').textContent = 'Copy'; }, 1500);
-    } catch {
-      window.prompt('Options of this view', text);
-    }
-  }
+  copy_view() { copy_text(element('copy-view'), this.viewer.view_options()); }
 
   // Shows the state; called after every change.
   refresh(state) {
