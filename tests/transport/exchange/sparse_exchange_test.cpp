@@ -368,8 +368,7 @@ TEST_CASE("what a ray takes away too much the other rays take away too little, b
     }
 }
 
-// With the radiosity of all and of the sky equal, all rays of a patch bring the same: also where it has only one, whose
-// share of all is 1 but for rounding.
+// With the radiosity of all and of the sky equal, all rays of a patch bring the same, be they many or one.
 TEST_CASE("in a furnace, also below a sky as bright, the ray that brings light takes as much away as any other")
 {
     SceneFile file = open_room().file();
