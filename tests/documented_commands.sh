@@ -14,7 +14,8 @@
 #     ./multipath solve scenes/5cubes.obj --bidirectional no -q -o one-way.csv
 #     ./multipath compare one-way.csv truth.csv | sed -n "s/^MSE/one way:/p"
 #     -->
-# What filters print stands in its output once; what `echo` prints stands in the "+ echo" line as well.
+# What filters print stands in its output once; what `echo` prints stands in the "+ echo" line as well. The "+" lines of the
+# commands of one pipeline may be mixed word by word: numbers are found in what pipelines print, not in their commands.
 # RENEW=yes puts what was printed into the text and tells what it changed: read those sentences again.
 #
 # usage: documented_commands.sh PROGRAM [DOCUMENT...]
