@@ -1,5 +1,5 @@
-# Runs the commands of the documents as they are written: the `sh` blocks of docs/*.md and docs/builders/*.md, those of one
-# document in order and in one folder, which holds the program, the scenes and the tests and nothing else. What needs other
+# Runs the commands of the documents as they are written: the `sh` blocks of docs/*.md, docs/*.html and docs/builders/*.md, those of
+# one document in order and in one folder, which holds the program, the scenes and the tests and nothing else. What needs other
 # machines or many minutes stands in `console` blocks; a command in a block of no kind is a mistake. Pictures of the text that its
 # commands make must come out as they are, byte for byte but for the record of the command. Ends with "N passed, N failed".
 #
@@ -25,7 +25,7 @@ absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
 program=$(absolute "$1")
 shift
-[ $# -gt 0 ] || set -- "$root"/docs/*.md "$root"/docs/builders/*.md
+[ $# -gt 0 ] || set -- "$root"/docs/*.md "$root"/docs/*.html "$root"/docs/builders/*.md
 scratch=$(absolute "${BUILD:-$root/build}")/documented-commands
 rm -rf "$scratch" && mkdir -p "$scratch" || exit 1
 passed=0 failed=0 here=$PWD
