@@ -3,7 +3,7 @@
 # make test       builds and runs the tests, except
 # make long-tests those that take long: statistics, every option at its limits, interrupts, installation
 # make sweep      judges random scenes of every kind, SEEDS=1-1000, or files, OBJ=FOLDER, by every method against particles
-# make coverage   tells which lines of src/ the tests run, room by room; with g++, whose gcov counts them
+# make coverage   tells which lines of src/ the tests run, folder by folder; with g++, whose gcov counts them
 # make mutants    plants the bugs of tests/mutants.list one by one and tells which the tests notice; takes about an hour
 # make bench      measures speed; close other programs first. OBJ=FILE.obj: of lines through this file
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in six minutes on two processors
@@ -123,11 +123,11 @@ $(BUILD)/generated/cli/sources_checksum.inc: $(sort $(shell find src -type f))
 	@cat $^ | { cksum || md5sum || echo unknown; } 2>/dev/null | sed 's/.*/"&"/' > $@.new
 	@mv $@.new $@
 
-# -O3 for the rooms where lines fly, -O1 for what runs for each surface or pixel; the others and the tests compile faster.
-of_rooms = $(filter $(foreach room,$1,$(BUILD)/src/$(room).o $(BUILD)/src/$(room)/%),$(objects))
+# -O3 for the folders where lines fly, -O1 for what runs for each surface or pixel; the others and the tests compile faster.
+of_folders = $(filter $(foreach folder,$1,$(BUILD)/src/$(folder).o $(BUILD)/src/$(folder)/%),$(objects))
 $(objects) $(test_objects): OPTIMISE = -Og
-$(call of_rooms,scene image): OPTIMISE = -O1
-$(call of_rooms,base parallel sampling geometry transport radiosity scene/texture): OPTIMISE = -O3
+$(call of_folders,scene image): OPTIMISE = -O1
+$(call of_folders,base parallel sampling geometry transport radiosity scene/texture): OPTIMISE = -O3
 
 define compile
 @mkdir -p $(@D)

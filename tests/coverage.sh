@@ -1,4 +1,4 @@
-# Which lines of src/ the tests run: builds with counters in BUILD/coverage, runs the tests, and prints a table of the rooms,
+# Which lines of src/ the tests run: builds with counters in BUILD/coverage, runs the tests, and prints a table of the folders,
 # the files below 95 % with the lines that none ran, and last the line "total N of M lines, P %". It fails if P is below 95.
 # A line that is compiled more than once, as those of headers and of kernels for several instruction sets, counts once,
 # and as covered if any of them ran. UNIT_ARGS and LEAVE_OUT choose tests as in run.sh; if they
@@ -37,18 +37,18 @@ counts | sort -u -k1,1 -k2,2n -k3,3nr | sort -u -k1,1 -k2,2n -s | awk -v least=9
     }
     $1 != file { end_file(); file = $1 }
     {
-        room = file ~ /\/.*\// ? file : "main.cpp"
-        gsub(/^src\/|\/.*/, "", room)
-        lines[room]++; file_lines++; total++
-        if ($3) { covered[room]++; file_covered++; total_covered++; end_gap() } else { if (!first) first = $2; last = $2 }
+        folder = file ~ /\/.*\// ? file : "main.cpp"
+        gsub(/^src\/|\/.*/, "", folder)
+        lines[folder]++; file_lines++; total++
+        if ($3) { covered[folder]++; file_covered++; total_covered++; end_gap() } else { if (!first) first = $2; last = $2 }
     }
     END {
         end_file()
         if (!total) { print "gcov found no line of src/" > "/dev/stderr"; exit 1 }
-        printf "%-12s %7s %8s %9s\n", "room", "lines", "covered", "percent"
+        printf "%-12s %7s %8s %9s\n", "folder", "lines", "covered", "percent"
         fflush()
-        for (room in lines)
-            printf "%-12s %7d %8d %7.1f %%\n", room, lines[room], covered[room], percent(covered[room], lines[room]) | "sort"
+        for (folder in lines)
+            printf "%-12s %7d %8d %7.1f %%\n", folder, lines[folder], covered[folder], percent(covered[folder], lines[folder]) | "sort"
         close("sort")
         printf "%s", below
         printf "total %d of %d lines, %.1f %%\n", total_covered, total, percent(total_covered, total)
