@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/memory.h"
 #include "parallel/run_control.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace multipath {
@@ -97,6 +99,15 @@ Value parallel_sum(std::uint32_t count, int threads, const Term& term)
     for (const Value& sum : sums)
         all += sum;
     return all;
+}
+
+/// The list of value(i) for i = 0 ... count - 1, computed in parallel.
+template <class Make>
+auto parallel_list(std::uint32_t count, int threads, const Make& value)
+{
+    auto list = large_vector<std::decay_t<decltype(value(count))>>(count);
+    parallel_numbers(count, threads, [&](std::uint32_t i) { list[i] = value(i); });
+    return list;
 }
 
 /// Runs produce(block, slot) once for each block 0 ... block_count - 1 on up to `threads` threads, and then

@@ -81,6 +81,20 @@ double parallel_edges(const Edge& a, const Edge& b, double cosine, double)
     return std::copysign(1.0, cosine) * sum;
 }
 
+/// Integral of a function by Gauss-Legendre quadrature with ten nodes, with bisection until is_smooth(begin, end).
+template <class Function, class IsSmooth>
+double integral(const Function& function, const IsSmooth& is_smooth, double begin, double end)
+{
+    const double middle = 0.5 * (begin + end);
+    if (!is_smooth(begin, end))
+        return integral(function, is_smooth, begin, middle) + integral(function, is_smooth, middle, end);
+    const double half = 0.5 * (end - begin);
+    double sum = 0.0;
+    for (const GaussNode& node : half_gauss_10)
+        sum += node.weight * (function(middle - half * node.place) + function(middle + half * node.place));
+    return half * sum;
+}
+
 /// Two edges that are not parallel, with s and t measured from the feet of the common perpendicular of their lines.
 struct SkewEdges
 {
@@ -119,20 +133,6 @@ bool is_smooth(const SkewEdges& e, double begin, double end)
     return true;
 }
 
-/// Integral of subtended_angle over x by Gauss-Legendre quadrature, with bisection until the interval is smooth.
-double integral_of_angle(const SkewEdges& e, double begin, double end)
-{
-    const double middle = 0.5 * (begin + end);
-    if (!is_smooth(e, begin, end))
-        return integral_of_angle(e, begin, middle) + integral_of_angle(e, middle, end);
-    const double half = 0.5 * (end - begin);
-    double sum = 0.0;
-    for (const GaussNode& node : half_gauss_10)
-        sum += node.weight *
-               (subtended_angle(e, middle - half * node.place) + subtended_angle(e, middle + half * node.place));
-    return half * sum;
-}
-
 /// Integral of h^2 / r^2 over both edges.
 double apart_term(const SkewEdges& e)
 {
@@ -141,7 +141,9 @@ double apart_term(const SkewEdges& e)
         return 0.0;
     const double x_begin = elementary::asinh(e.s_begin * e.sine / e.h);
     const double x_end = elementary::asinh(e.s_end * e.sine / e.h);
-    return e.h * e.h / e.sine * integral_of_angle(e, x_begin, x_end);
+    const auto angle = [&](double x) { return subtended_angle(e, x); };
+    const auto smooth = [&](double begin, double end) { return is_smooth(e, begin, end); };
+    return e.h * e.h / e.sine * integral(angle, smooth, x_begin, x_end);
 }
 
 /// Integral of ln r over two edges that are not parallel.
@@ -170,8 +172,6 @@ struct Singularity
     double height;   ///< imaginary part
 };
 
-using Singularities = std::array<Singularity, 3>;
-
 /// Singularity because of a point: where the distance to it is 0.
 Singularity singularity_at(Vec3 point, const Edge& edge)
 {
@@ -180,34 +180,25 @@ Singularity singularity_at(Vec3 point, const Edge& edge)
     return {position, length(to - position * edge.direction)};
 }
 
-/// Integral of point_to_edge(., b) over the interval of edge a by Gauss-Legendre quadrature, with bisection near
-/// singularities.
-double integral_to_edge(const Edge& a, double begin, double end, const Edge& b, const Singularities& singularities)
-{
-    const double middle = 0.5 * (begin + end);
-    const double half = 0.5 * (end - begin);
-    constexpr double negligible = 1e-10;
-    constexpr double away = 2.0; // in half intervals; then the error of ten nodes is 1e-11
-    for (const Singularity& at : singularities)
-        if (half > negligible * a.length && elementary::hypot(at.position - middle, at.height) < away * half)
-            return integral_to_edge(a, begin, middle, b, singularities) +
-                   integral_to_edge(a, middle, end, b, singularities);
-    double sum = 0.0;
-    for (const GaussNode& node : half_gauss_10)
-        for (const double s : {middle - half * node.place, middle + half * node.place})
-            sum += node.weight * point_to_edge(a.from + s * a.direction, b);
-    return half * sum;
-}
-
-/// Integral of ln r over two edges that are nearly parallel.
+/// Integral of ln r over two edges that are nearly parallel: of point_to_edge(., b) over a.
 double nearly_parallel_edges(const Edge& a, const Edge& b, double cosine, double squared_sine)
 {
     const Vec3 to = b.from - a.from;
     const double foot = (dot(to, a.direction) - cosine * dot(to, b.direction)) / squared_sine;
     const double h = std::abs(dot(to, cross(a.direction, b.direction))) / squared_sine;
-    return integral_to_edge(
-        a, 0.0, a.length, b,
-        {singularity_at(b.from, a), singularity_at(b.from + b.length * b.direction, a), Singularity{foot, h}});
+    const std::array<Singularity, 3> singularities = {
+        {singularity_at(b.from, a), singularity_at(b.from + b.length * b.direction, a), {foot, h}}};
+    const auto smooth = [&](double begin, double end) {
+        constexpr double negligible = 1e-10;
+        constexpr double away = 2.0; // in half intervals; then the error of ten nodes is 1e-11
+        const double middle = 0.5 * (begin + end);
+        const double half = 0.5 * (end - begin);
+        return half <= negligible * a.length ||
+               std::none_of(singularities.begin(), singularities.end(), [&](const Singularity& at) {
+                   return elementary::hypot(at.position - middle, at.height) < away * half;
+               });
+    };
+    return integral([&](double s) { return point_to_edge(a.from + s * a.direction, b); }, smooth, 0.0, a.length);
 }
 
 } // namespace

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 namespace multipath {
 
@@ -101,6 +102,8 @@ struct PiecePoints
 {
     std::size_t size = 0;
     std::array<double, most_points> x, y, z, weight;
+
+    Vec3 point(std::size_t k) const { return {x[k], y[k], z[k]}; }
 };
 
 template <std::size_t n>
@@ -112,8 +115,7 @@ PiecePoints points_by_rule(const FlatPiece& piece, const std::array<RulePoint, n
         points.x[points.size] = p.x;
         points.y[points.size] = p.y;
         points.z[points.size] = p.z;
-        points.weight[points.size] = r.weight;
-        ++points.size;
+        points.weight[points.size++] = r.weight;
     }
     return points;
 }
@@ -154,36 +156,29 @@ double exchange_by_points(const FlatPiece& a, const FlatPiece& b)
     const PiecePoints a_points = points_of(a, dot(d, d));
     const PiecePoints b_points = points_of(b, dot(d, d));
     double sum = 0.0;
-    for (std::size_t k = 0; k < a_points.size; ++k) {
-        const Vec3 from = {a_points.x[k], a_points.y[k], a_points.z[k]};
-        sum += a_points.weight[k] * sum_over_points(from, a.normal, b.normal, b_points);
-    }
+    for (std::size_t k = 0; k < a_points.size; ++k)
+        sum += a_points.weight[k] * sum_over_points(a_points.point(k), a.normal, b.normal, b_points);
     return a.area * b.area * inverse_pi * sum;
 }
 
 } // namespace
 
-FlatPiece piece_of(const Surface& surface)
+FlatPiece::FlatPiece(const Surface& whole)
+    : surface(whole), normal(whole.normal()), centre(whole.centre()), area(whole.area())
 {
-    const Vec3 u = surface.edge_u;
-    const Vec3 v = surface.edge_v;
-    FlatPiece piece;
-    piece.surface = surface;
-    piece.normal = surface.normal();
-    piece.centre = surface.centre();
-    piece.area = surface.area();
-    if (surface.shape == Shape::parallelogram) {
-        piece.radius = 0.5 * std::max(length(u + v), length(u - v));
-        piece.spread_u = u;
-        piece.spread_v = v;
+    const Vec3 u = whole.edge_u;
+    const Vec3 v = whole.edge_v;
+    if (whole.shape == Shape::parallelogram) {
+        radius = 0.5 * std::max(length(u + v), length(u - v));
+        spread_u = u;
+        spread_v = v;
     } else {
-        piece.radius = std::max({length(u + v), length(2.0 * u - v), length(2.0 * v - u)}) / 3.0;
+        radius = std::max({length(u + v), length(2.0 * u - v), length(2.0 * v - u)}) / 3.0;
         // The covariance (u u^T + v v^T + (u - v)(u - v)^T) / 36 as a sum of two squares.
-        piece.spread_u = (1.0 / std::sqrt(6.0)) * (u + v);
-        piece.spread_v = (1.0 / std::sqrt(2.0)) * (u - v);
+        spread_u = (1.0 / std::sqrt(6.0)) * (u + v);
+        spread_v = (1.0 / std::sqrt(2.0)) * (u - v);
     }
-    piece.squared_spread = dot(piece.spread_u, piece.spread_u) + dot(piece.spread_v, piece.spread_v);
-    return piece;
+    squared_spread = dot(spread_u, spread_u) + dot(spread_v, spread_v);
 }
 
 namespace {
@@ -205,39 +200,39 @@ bool apart_by(double radii, const FlatPiece& a, const FlatPiece& b)
 }
 
 /// Divides the surface into four similar ones of half the size.
-std::array<Surface, 4> quarters(const Surface& s)
+std::vector<FlatPiece> quarters(const Surface& s)
 {
     const Vec3 u = 0.5 * s.edge_u;
     const Vec3 v = 0.5 * s.edge_v;
-    if (s.shape == Shape::triangle)
-        return {{{s.shape, s.origin, u, v},
-                 {s.shape, s.origin + u, u, v},
-                 {s.shape, s.origin + v, u, v},
-                 {s.shape, s.origin + u + v, -u, -v}}};
-    return {{{s.shape, s.origin, u, v},
-             {s.shape, s.origin + u, u, v},
-             {s.shape, s.origin + v, u, v},
-             {s.shape, s.origin + u + v, u, v}}};
+    const double turn = s.shape == Shape::triangle ? -1.0 : 1.0;
+    return {Surface{s.shape, s.origin, u, v}, Surface{s.shape, s.origin + u, u, v},
+            Surface{s.shape, s.origin + v, u, v}, Surface{s.shape, s.origin + u + v, turn * u, turn * v}};
 }
+
+std::optional<double> sum_of_views(const std::vector<FlatPiece>& small, const FlatPolygon& seen, bool may_cut);
 
 /// Exchange area of a surface and a polygon that its front sees wholly, by Lambert's formula at quadrature points of
 /// the surface or of its quarters. std::nullopt if the polygon is too near.
-std::optional<double> exchange_by_views(const Surface& small, const FlatPolygon& seen, bool may_cut = true)
+std::optional<double> exchange_by_views(const FlatPiece& piece, const FlatPolygon& seen, bool may_cut)
 {
-    const FlatPiece piece = piece_of(small);
     const double away = distance(piece.centre, seen);
     if (away >= views_radii * piece.radius) {
         const PiecePoints points = points_of(piece, away * away);
         double sum = 0.0;
         for (std::size_t k = 0; k < points.size; ++k)
-            sum += points.weight[k] * irradiance_from(seen, {points.x[k], points.y[k], points.z[k]}, piece.normal);
+            sum += points.weight[k] * irradiance_from(seen, points.point(k), piece.normal);
         return piece.area * sum;
     }
     if (!may_cut || away < 0.5 * views_radii * piece.radius)
         return std::nullopt;
+    return sum_of_views(quarters(piece.surface), seen, false);
+}
+
+std::optional<double> sum_of_views(const std::vector<FlatPiece>& small, const FlatPolygon& seen, bool may_cut)
+{
     double sum = 0.0;
-    for (const Surface& quarter : quarters(small)) {
-        const std::optional<double> part = exchange_by_views(quarter, seen, false);
+    for (const FlatPiece& piece : small) {
+        const std::optional<double> part = exchange_by_views(piece, seen, may_cut);
         if (!part)
             return std::nullopt;
         sum += *part;
@@ -265,47 +260,29 @@ double overlap(const FlatPiece& a, const FlatPolygon& a_polygon, const FlatPiece
     return area > rounding * std::min(a.area, b.area) ? area : 0.0;
 }
 
-/// Calls visit(triangle) for a triangle fan from the first corner of the polygon, leaving out triangles of area zero.
-template <class Visit>
-void for_triangles(const FlatPolygon& polygon, const Visit& visit)
+/// A triangle fan from the first corner of the polygon, without triangles of area zero.
+std::vector<FlatPiece> triangles_of(const FlatPolygon& polygon)
 {
+    std::vector<FlatPiece> triangles;
+    triangles.reserve(polygon.size);
     for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
         const Vec3 corner = polygon.corners[0];
         const Surface triangle = {Shape::triangle, corner, polygon.corners[k] - corner,
                                   polygon.corners[k + 1] - corner};
         if (triangle.area() > 0.0)
-            visit(triangle);
+            triangles.push_back(triangle);
     }
+    return triangles;
 }
 
 /// Exchange area by quadrature over the triangles of both polygons.
 double exchange_by_triangles(const FlatPolygon& a, const FlatPolygon& b)
 {
+    const std::vector<FlatPiece> b_triangles = triangles_of(b);
     double sum = 0.0;
-    for_triangles(a, [&](const Surface& s) {
-        for_triangles(b, [&](const Surface& t) { sum += exchange_by_points(piece_of(s), piece_of(t)); });
-    });
-    return sum;
-}
-
-/// The part of a piece in front of a plane; `whole` if that is all of it.
-struct PartInFront
-{
-    const FlatPiece& piece;
-    FlatPolygon polygon;
-    bool whole;
-};
-
-/// The same for two such parts, that of the smaller piece first.
-std::optional<double> exchange_by_views(const PartInFront& small, const PartInFront& other)
-{
-    if (small.whole)
-        return exchange_by_views(small.piece.surface, other.polygon);
-    std::optional<double> sum = 0.0;
-    for_triangles(small.polygon, [&](const Surface& triangle) {
-        const std::optional<double> part = sum ? exchange_by_views(triangle, other.polygon) : std::nullopt;
-        sum = part ? std::optional<double>(*sum + *part) : std::nullopt;
-    });
+    for (const FlatPiece& s : triangles_of(a))
+        for (const FlatPiece& t : b_triangles)
+            sum += exchange_by_points(s, t);
     return sum;
 }
 
@@ -327,15 +304,19 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
     if (wholly && apart_by(points_radii, a, b))
         return exchange_by_points(a, b);
     // The plane of each piece is the horizon of all its points, so clipping the other one once is enough.
-    const PartInFront a_part = {a, part_in_front(a_polygon, b.centre, b.normal, touching), a_heights.low >= -touching};
-    const PartInFront b_part = {b, part_in_front(b_polygon, a.centre, a.normal, touching), b_heights.low >= -touching};
-    if (a_part.polygon.size == 0 || b_part.polygon.size == 0)
+    const FlatPolygon a_part = part_in_front(a_polygon, b.centre, b.normal, touching);
+    const FlatPolygon b_part = part_in_front(b_polygon, a.centre, a.normal, touching);
+    if (a_part.empty() || b_part.empty())
         return 0.0;
     if (!wholly && apart_by(points_radii, a, b))
-        return exchange_by_triangles(a_part.polygon, b_part.polygon);
-    const std::optional<double> exchange =
-        a.radius < b.radius ? exchange_by_views(a_part, b_part) : exchange_by_views(b_part, a_part);
-    return exchange ? *exchange : contour_integral(a_part.polygon, b_part.polygon);
+        return exchange_by_triangles(a_part, b_part);
+    const bool a_is_small = a.radius < b.radius;
+    const bool small_is_whole = (a_is_small ? a_heights : b_heights).low >= -touching;
+    const FlatPolygon& seen = a_is_small ? b_part : a_part;
+    const std::optional<double> exchange = small_is_whole
+                                               ? exchange_by_views(a_is_small ? a : b, seen, true)
+                                               : sum_of_views(triangles_of(a_is_small ? a_part : b_part), seen, true);
+    return exchange ? *exchange : contour_integral(a_part, b_part);
 }
 
 } // namespace
@@ -351,11 +332,6 @@ double exchange_area(const FlatPiece& a, const FlatPiece& b, double touching)
         return exchange_of_far(a, b);
     const double exchange = before(a, b) ? exchange_of_near(a, b, touching) : exchange_of_near(b, a, touching);
     return std::max(0.0, exchange); // rounding may make a tiny contour integral negative
-}
-
-double exchange_area(const Surface& a, const Surface& b, double touching)
-{
-    return exchange_area(piece_of(a), piece_of(b), touching);
 }
 
 } // namespace multipath

@@ -15,19 +15,19 @@ double contour_integral(const FlatPolygon& a, const FlatPolygon& b);
 /// A surface with the precomputed quantities from which exchange areas are computed. Its area must not be zero.
 struct FlatPiece
 {
+    FlatPiece(const Surface& whole); ///< implicit: a surface serves wherever a piece is wanted
+
     Surface surface;
-    Vec3 normal;         ///< unit normal on the front side
-    Vec3 centre;         ///< centroid
-    double area = 0.0;   ///< [m^2]; a scene unit counts as a metre
-    double radius = 0.0; ///< [scene units] from the centre to the farthest corner
+    Vec3 normal;   ///< unit normal on the front side
+    Vec3 centre;   ///< centroid
+    double area;   ///< [m^2]; a scene unit counts as a metre
+    double radius; ///< [scene units] from the centre to the farthest corner
     /// Uniform random points of the surface have the covariance (u u^T + v v^T) / 12 with u = spread_u and v = spread_v
     /// [scene units]. For a parallelogram they are the edges, for a triangle linear combinations of its edges.
     Vec3 spread_u;
     Vec3 spread_v;
-    double squared_spread = 0.0; ///< u.u + v.v
+    double squared_spread; ///< u.u + v.v
 };
-
-FlatPiece piece_of(const Surface& surface);
 
 /// Unoccluded exchange area A_a F_ab [m^2], (F1) in docs/equations.md: the integral of cos cos' / (pi r^2) over all
 /// pairs of points whose fronts see each other. This is 1 / pi times the measure of the lines from the front of a to
@@ -36,6 +36,5 @@ FlatPiece piece_of(const Surface& surface);
 /// exchange area is the area of the overlap, even if they are back to back, like the two faces of a thin sheet. (a, b)
 /// and (b, a) give the same bits.
 double exchange_area(const FlatPiece& a, const FlatPiece& b, double touching);
-double exchange_area(const Surface& a, const Surface& b, double touching);
 
 } // namespace multipath

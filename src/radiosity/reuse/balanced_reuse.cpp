@@ -58,55 +58,44 @@ double bytes_without_counts(const Scene& scene, double rays)
            bytes_of_buffers * std::min(rays, 1e6);
 }
 
-// Receivers of rays: each patch twice, with its shadow rays and with its rays over the hemisphere.
-std::size_t to_lights(std::uint32_t patch)
+/// What gets rays: each patch twice, as number 2 i its shadow rays, as number 2 i + 1 its rays over the hemisphere.
+struct Receiver
 {
-    return 2 * std::size_t{patch};
-}
-std::size_t over_hemisphere(std::uint32_t patch)
-{
-    return 2 * std::size_t{patch} + 1;
-}
+    double importance = 0.0;
+    double had = 0.0;  ///< number of rays before
+    double gets = 0.0; ///< expected number of rays
+};
 
-/// Expected numbers of rays that add up to `budget`. Every receiver gets `least`, and the rest goes by water-filling
-/// according to importance and the rays that it had before.
-std::vector<double> distribute_rays(double budget, const std::vector<double>& importance,
-                                    const std::vector<double>& had, const std::vector<double>& least)
+/// Distributes expected rays so that all that the receivers get adds up to `budget`: beyond what they are given already
+/// by water-filling, according to importance and the rays that they had before.
+void distribute_rays(double budget, std::vector<Receiver>& receivers)
 {
     WaterFilling fill;
     double given = 0.0;
-    for (std::size_t k = 0; k < least.size(); ++k) {
-        given += least[k];
-        if (importance[k] > 0.0)
-            fill.add(importance[k], had[k] + least[k]);
+    for (const Receiver& r : receivers) {
+        given += r.gets;
+        if (r.importance > 0.0)
+            fill.add(r.importance, r.had + r.gets);
     }
     const double rest = std::max(0.0, budget - given);
     const double level = fill.level(rest);
-    const auto lacks = [&](std::size_t k) { return std::max(0.0, level * importance[k] - had[k] - least[k]); };
+    const auto lacks = [&](const Receiver& r) { return std::max(0.0, level * r.importance - r.had - r.gets); };
     double more = 0.0;
-    for (std::size_t k = 0; k < least.size(); ++k)
-        more += lacks(k);
+    for (const Receiver& r : receivers)
+        more += lacks(r);
     const double scale = quotient(rest, more); // corrects the level, which is exact to a few percent only
-    std::vector<double> result = least;
-    for (std::size_t k = 0; k < least.size(); ++k)
-        result[k] += scale * lacks(k);
-    return result;
+    for (Receiver& r : receivers)
+        r.gets += scale * lacks(r);
 }
 
-/// Makes received and lost power add up to the emitted power [W], in one channel. Shadow rays of the patches have
-/// estimated the received power, rays of the lamps the losses, with the variances [W^2] `of_received` and `of_lost`.
-/// Each changes in proportion to its variance (least squares), and neither becomes negative; without losses only the
-/// received power does.
-void close_balance(double emitted, double received, double of_received, double of_lost, double& scale, double& escaped,
-                   double& behind)
+/// The lost power that, with the received power, is nearest to the emitted power [W], in one channel. Shadow rays of
+/// the patches have estimated the received power, rays of the lamps the losses, with the variances [W^2] `of_received`
+/// and `of_lost`. Each changes in proportion to its variance (least squares), and neither becomes negative; without
+/// losses only the received power changes.
+double closed_losses(double emitted, double received, double of_received, double lost, double of_lost)
 {
-    const double lost = escaped + behind;
     const double share = lost > 0.0 ? of_lost / (of_lost + of_received) : 0.0;
-    const double left = lost + share * (emitted - received - lost);
-    const double closed = std::clamp(left, 0.0, emitted);
-    escaped *= quotient(closed, lost);
-    behind *= quotient(closed, lost);
-    scale = quotient(emitted - closed, received);
+    return std::clamp(lost + share * (emitted - received - lost), 0.0, emitted);
 }
 
 std::vector<std::uint32_t> patches_of_sky(const Scene& scene)
@@ -145,7 +134,7 @@ public:
           memory_(memory),
           run_(run),
           state_(state),
-          patches_(lights.patches())
+          patches_(lights.patches.get())
     {
         if (rays.direct)
             light_.emplace(scene, lights);
@@ -157,13 +146,15 @@ public:
         for (bool planned = part.resumed(); part_ < parts_; planned = false) {
             if (!planned)
                 plan();
-            cast();
+            if (light_)
+                light_->cast(to_lights_.allotment, sequence_, to_lights_.first_item, to_lights_.range, run_);
+            if (!run_.stopped())
+                count_rays(scene_, hemisphere_.allotment, sequence_, hemisphere_.first_item, hemisphere_.range, run_,
+                           fresh_);
+            if (!run_.stopped() && hemisphere_.range.is_shard())
+                run_.checkpoint->publish_shard(); // stops the run
             if (run_.stopped())
                 return stopped();
-            if (hemisphere_.range.is_shard()) {
-                run_.checkpoint->publish_shard();
-                return stopped();
-            }
             end_of_round();
         }
         return result(true);
@@ -186,6 +177,7 @@ private:
         archive.object("hemisphere", hemisphere_);
         archive.list<double>("expected", expected_);
         archive.list<double>("rays of counts", rays_of_counts_);
+        find_densities();
         archive.list<double>("source", source_);
         archive.list<double>("first guess", guess_);
         archive.list<double>("variance", variance_);
@@ -218,11 +210,11 @@ private:
         std::vector<double> shadow_rays = large_vector<double>(n_);
         if (part_ == 0) {
             const auto cast_before = static_cast<double>(next_item_ - rays_.first_item);
-            const std::vector<double> expected =
+            const std::vector<Receiver> expected =
                 expected_rays(std::max(0.0, static_cast<double>(ends_[round_]) - cast_before));
             for (std::uint32_t i = 0; i < n_; ++i) {
-                shadow_rays[i] = expected[to_lights(i)];
-                expected_[i] = expected[over_hemisphere(i)];
+                shadow_rays[i] = expected[2 * std::size_t{i}].gets;
+                expected_[i] = expected[2 * std::size_t{i} + 1].gets;
             }
             if (is_last())
                 cut_into_parts(expected_);
@@ -247,11 +239,9 @@ private:
 
     /// Expected numbers of rays of all receivers for the next round: importance rho s sqrt(A) by the rounds so far. The
     /// first round knows no s, and gives at least one ray of each kind to every patch that can use it.
-    std::vector<double> expected_rays(double budget) const
+    std::vector<Receiver> expected_rays(double budget) const
     {
-        std::vector<double> had = large_vector<double>(2 * std::size_t{n_});
-        std::vector<double> least = had;
-        std::vector<double> importance = had;
+        std::vector<Receiver> receivers = large_vector<Receiver>(2 * std::size_t{n_});
         const std::vector<double> hemisphere = round_ > 0 ? hemisphere_deviations() : std::vector<double>(n_, 1.0);
         const std::vector<double> light = round_ > 0 && light_ ? light_->deviations() : std::vector<double>(n_, 1.0);
         const double source = mean(scene_.lamp_power());
@@ -266,22 +256,19 @@ private:
             const bool sees_light = light_ && light_->unoccluded(i) > 0.0;
             // A ray over the hemisphere counts for both of its ends, and denoising removes most of its noise.
             constexpr double left_of_variance = 0.35;
-            importance[over_hemisphere(i)] = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
-            importance[to_lights(i)] = sees_light ? worth * light[i] : 0.0;
-            had[over_hemisphere(i)] = afresh ? 0.0 : rays_of_counts_[i];
-            had[to_lights(i)] = light_ ? light_->rays(i) : 0.0;
-            if (rays_.indirect && (round_ == 0 || afresh))
-                least[over_hemisphere(i)] = round_ == 0 ? 1.0 : 2.0;
-            if (sees_light && round_ == 0)
-                least[to_lights(i)] = 1.0;
+            const double indirect = rays_.indirect ? worth * std::sqrt(left_of_variance) * hemisphere[i] : 0.0;
+            const double least = !rays_.indirect ? 0.0 : round_ == 0 ? 1.0 : afresh ? 2.0 : 0.0;
             constexpr double to_see_losses =
                 1.0 / 32.0; // fraction of the rays that leave the sources, to estimate losses
-            if (light_)
-                least[over_hemisphere(i)] =
-                    std::max(least[over_hemisphere(i)],
-                             to_see_losses * budget * scene_.area(i) * mean(scene_.emittance(i)) / source);
+            const double of_source =
+                light_ ? to_see_losses * budget * scene_.area(i) * mean(scene_.emittance(i)) / source : 0.0;
+            receivers[2 * std::size_t{i}] = {sees_light ? worth * light[i] : 0.0, light_ ? light_->rays(i) : 0.0,
+                                             sees_light && round_ == 0 ? 1.0 : 0.0};
+            receivers[2 * std::size_t{i} + 1] = {indirect, afresh ? 0.0 : rays_of_counts_[i],
+                                                 std::max(least, of_source)};
         });
-        return distribute_rays(budget, importance, had, least);
+        distribute_rays(budget, receivers);
+        return receivers;
     }
 
     /// [1] How much an error of each patch's irradiance counts: rho, unless some patches are more important (I1). Then
@@ -290,24 +277,22 @@ private:
     std::vector<double> importance_of_irradiance() const
     {
         constexpr double dark = 0.01; // the irradiance of black patches matters too, though less
-        std::vector<double> result = large_vector<double>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            result[i] = mean(rho_[i]) + dark;
+        std::vector<double> result =
+            parallel_list(n_, run_.threads, [&](std::uint32_t i) { return mean(rho_[i]) + dark; });
         if (!rays_.importance)
             return result;
         constexpr double even = 0.01; // the weight that all patches keep
         const std::vector<double>& weight = rays_.importance->weight;
         const double weighted_area = rays_.importance->weighted_area(scene_);
-        const std::vector<double> density = densities();
         const auto mean_over_rays = [&](std::uint32_t i, const Importance::Value& value) {
             double sum = 0.0;
             double all = 0.0;
-            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+            for_row(i, [&](double w, double rays, std::uint32_t j) {
                 all += rays * w;
                 if (j != nothing)
                     sum += rays * w * value(j);
             });
-            return all > 0.0 ? sum / all : 0.0;
+            return quotient(sum, all);
         };
         const std::vector<double> influence = rays_.importance->influence(scene_, mean_over_rays, run_.threads);
         for (std::uint32_t i = 0; i < n_; ++i) {
@@ -324,22 +309,15 @@ private:
     std::vector<double> hemisphere_deviations() const
     {
         constexpr double enough = 32.0;
-        const std::vector<double> density = densities();
-        std::vector<RaySums> found = large_vector<RaySums>(n_);
-        parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
-            RaySums& sums = found[i];
-            for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+        std::vector<RaySums> found = parallel_list(n_, run_.threads, [&](std::uint32_t i) {
+            RaySums sums;
+            for_row(i, [&](double w, double rays, std::uint32_t j) {
                 const double light = j != nothing ? mean(guess_[j]) : 0.0;
                 const double weight = rays * w;
-                sums.weight += weight;
-                sums.value += weight * light;
-                sums.square += weight * light * light;
+                sums += {0.0, weight, weight * light, weight * light * light};
             });
-            sums.rays = rays_of_counts_[i];
-            const double scale = sums.weight > 0.0 ? sums.rays / sums.weight : 0.0;
-            sums.weight *= scale;
-            sums.value *= scale;
-            sums.square *= scale;
+            const double scale = quotient(rays_of_counts_[i], sums.weight);
+            return RaySums{rays_of_counts_[i], scale * sums.weight, scale * sums.value, scale * sums.square};
         });
         found = pooled(patches_, found, enough, OwnRays::left_out, run_.threads);
         std::vector<double> result = large_vector<double>(n_);
@@ -360,18 +338,8 @@ private:
 
     std::vector<std::uint32_t> sides_of_patches() const
     {
-        auto result = large_vector<std::uint32_t>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            result[i] = 2 * scene_.surface_of(i) + (scene_.is_front(i) ? 0 : 1);
-        return result;
-    }
-
-    std::vector<double> densities() const
-    {
-        std::vector<double> result = large_vector<double>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            result[i] = rays_of_counts_[i] / scene_.area(i);
-        return result;
+        return parallel_list(n_, run_.threads,
+                             [&](std::uint32_t i) { return 2 * scene_.surface_of(i) + (scene_.is_front(i) ? 0 : 1); });
     }
 
     /// Sets the number of parts of the last round, so that the counts of each part fit into the memory, but with at
@@ -414,15 +382,6 @@ private:
                 hemisphere[i] = least + kept * std::max(0.0, hemisphere[i] - least);
     }
 
-    void cast()
-    {
-        if (light_)
-            light_->cast(to_lights_.allotment, sequence_, to_lights_.first_item, to_lights_.range, run_);
-        if (run_.stopped())
-            return;
-        count_rays(scene_, hemisphere_.allotment, sequence_, hemisphere_.first_item, hemisphere_.range, run_, fresh_);
-    }
-
     /// Adds the counts of this round to those of the earlier ones. Counts of an earlier part are not kept after its
     /// solution.
     void take_fresh_counts()
@@ -435,8 +394,15 @@ private:
             rays_of_counts_[i] += static_cast<double>(cast_before(hemisphere_.allotment.first_ray(i + 1)) -
                                                       cast_before(hemisphere_.allotment.first_ray(i)));
         }
+        find_densities();
         counts_.add(std::move(fresh_), run_.threads);
         fresh_ = LineCounts(n_);
+    }
+
+    void find_densities()
+    {
+        density_ =
+            parallel_list(n_, run_.threads, [&](std::uint32_t i) { return rays_of_counts_[i] / scene_.area(i); });
     }
 
     void forget_counts()
@@ -480,36 +446,32 @@ private:
         PowerState state = state_;
         receive_light(state);
         const Field source = unshot_radiosity(scene_, state);
-        const std::vector<double> density = densities();
         Field radiosity = round_ == 0 ? source : guess_;
-        Field next = large_vector<Rgb>(n_);
-        for (int k = 0; k < bounces; ++k) {
-            parallel_numbers(n_, run_.threads, [&](std::uint32_t i) {
+        for (int k = 0; k < bounces; ++k)
+            radiosity = parallel_list(n_, run_.threads, [&](std::uint32_t i) {
                 Rgb found;
                 double weight = 0.0;
-                for_row(i, density, [&](double w, double rays, std::uint32_t j) {
+                for_row(i, [&](double w, double rays, std::uint32_t j) {
                     weight += rays * w;
                     if (j != nothing)
                         found += w * radiosity[j];
                 });
-                next[i] = source[i] + (weight > 0.0 ? 1.0 / weight : 0.0) * (rho_[i] * found);
+                return source[i] + quotient(1.0, weight) * (rho_[i] * found);
             });
-            radiosity.swap(next);
-        }
         return radiosity;
     }
 
     /// Calls take(weight of a ray, number of rays, patch) for each patch at the other end of patch i's rays; for rays
     /// that escape this is a patch of the sky, or else `nothing`.
     template <class Take>
-    void for_row(std::uint32_t i, const std::vector<double>& density, const Take& take) const
+    void for_row(std::uint32_t i, const Take& take) const
     {
         if (const std::uint64_t escaped = counts_.escaped(i); escaped > 0)
-            take(1.0 / density[i], static_cast<double>(escaped), sky_.empty() ? nothing : sky_.front());
+            take(1.0 / density_[i], static_cast<double>(escaped), sky_.empty() ? nothing : sky_.front());
         if (const std::uint64_t behind = counts_.behind(i); behind > 0)
-            take(1.0 / density[i], static_cast<double>(behind), nothing);
+            take(1.0 / density_[i], static_cast<double>(behind), nothing);
         for (const std::uint32_t j : counts_.row(i))
-            take(1.0 / (density[i] + density[j]), 1.0, j);
+            take(1.0 / (density_[i] + density_[j]), 1.0, j);
     }
     static constexpr std::uint32_t nothing = Scene::no_patch;
 
@@ -548,9 +510,9 @@ private:
         constexpr double tolerance = 0.05; // of a correction
         constexpr int most_steps = 100;
         const SparseExchange::Returns returns = exchange.returns(radiosity, rho_, run_.threads);
-        Field source = large_vector<Rgb>(n_);
-        for (std::uint32_t i = 0; i < n_; ++i)
-            source[i] = (1.0 / scene_.area(i)) * (rho_[i] * returns.incident[i]);
+        const Field source = parallel_list(n_, run_.threads, [&](std::uint32_t i) {
+            return (1.0 / scene_.area(i)) * (rho_[i] * returns.incident[i]);
+        });
         const ExchangeSolution change =
             solve_exchange(exchange, rho_, source, source, run_.threads, tolerance, most_steps);
         if (!change.converged)
@@ -573,7 +535,6 @@ private:
     void add_variance(const Field& radiosity)
     {
         constexpr double enough = 64.0;
-        const std::vector<double> density = densities();
         const double share = 1.0 / static_cast<double>(parts_);
         Field variances = large_vector<Rgb>(n_);
         std::vector<RaySums> rays = large_vector<RaySums>(n_); // `value` sums the variance of a single ray
@@ -583,7 +544,7 @@ private:
             Rgb sum;   // of w B
             Rgb cross; // of w^2 B
             Rgb squares;
-            for_row(i, density, [&](double w, double rays_of_weight, std::uint32_t j) {
+            for_row(i, [&](double w, double rays_of_weight, std::uint32_t j) {
                 const Rgb light = j != nothing ? radiosity[j] : Rgb{};
                 weight += rays_of_weight * w;
                 squared_weight += rays_of_weight * w * w;
@@ -659,10 +620,11 @@ private:
         }
         const Rgb source = scene_.lamp_power();
         const Rgb colour = quotient(1.0, mean(received)) * received;
-        Rgb scale;
-        for (double Rgb::*c : {&Rgb::r, &Rgb::g, &Rgb::b})
-            close_balance(source.*c, received.*c, of_received * (colour.*c * colour.*c), of_lost.*c, scale.*c,
-                          escaped.*c, behind.*c);
+        const Rgb lost = escaped + behind;
+        const Rgb closed = by_channel(closed_losses, source, received, of_received * (colour * colour), lost, of_lost);
+        const Rgb scale = quotient(source - closed, received);
+        escaped = quotient(closed, lost) * escaped;
+        behind = quotient(closed, lost) * behind;
         Rgb found = escaped + behind;
         for (std::uint32_t i = 0; i < n_; ++i) {
             if (scene_.is_sky_patch(i))
@@ -698,6 +660,7 @@ private:
     RayBatch hemisphere_{n_};
     std::vector<double> expected_ = large_vector<double>(n_);       ///< rays over the hemispheres, for all last parts
     std::vector<double> rays_of_counts_ = large_vector<double>(n_); ///< number of rays that left each patch
+    std::vector<double> density_ = large_vector<double>(n_);        ///< [1/m^2] these rays per area of the patch
     LineCounts counts_{n_};
     LineCounts fresh_{n_};                   ///< of the current round
     Field source_ = large_vector<Rgb>(n_);   ///< [W/m^2] unshot after the direct light has arrived

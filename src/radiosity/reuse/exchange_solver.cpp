@@ -18,16 +18,11 @@
 
 namespace multipath {
 
-namespace {
-
-using Field = std::vector<Rgb>;
-
-} // namespace
-
 ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>& reflectance,
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads,
                                 double tolerance, int most_steps)
 {
+    using Field = std::vector<Rgb>;
     const std::uint32_t n = exchange.size();
     Field rho_root = large_vector<Rgb>(n);
     Field inverse_diagonal = large_vector<Rgb>(n);
@@ -39,17 +34,16 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
         positive = positive && at_most({}, diagonal);
         inverse_diagonal[i] = quotient({1.0, 1.0, 1.0}, diagonal);
     }
-    Field reflected = large_vector<Rgb>(n);
-    const auto matrix = [&](const Field& y, Field& image) {
-        parallel_numbers(n, threads, [&](std::uint32_t i) { reflected[i] = rho_root[i] * y[i]; });
-        exchange.multiply(reflected, threads, image);
+    const auto matrix = [&](const Field& y) {
+        const auto reflected = [&](std::uint32_t i) { return rho_root[i] * y[i]; };
+        Field image = exchange.apply(parallel_list(n, threads, reflected), threads);
         parallel_numbers(n, threads,
                          [&](std::uint32_t i) { image[i] = exchange.row_area(i) * y[i] - rho_root[i] * image[i]; });
+        return image;
     };
     const auto precondition = [&](std::size_t i, Rgb residual) { return inverse_diagonal[i] * residual; };
 
-    Field residual = large_vector<Rgb>(n);
-    exchange.multiply(source, threads, residual);
+    Field residual = exchange.apply(source, threads);
     const Rgb norm = parallel_sum<Rgb>(n, threads, [&](std::uint32_t i) {
         residual[i] = rho_root[i] * residual[i];
         return residual[i] * precondition(i, residual[i]);
@@ -58,19 +52,15 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
     Field y = std::move(first_guess);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = quotient(y[i] - source[i], rho_root[i]);
-    Field image = large_vector<Rgb>(n);
-    matrix(y, image);
+    const Field image = matrix(y);
     for (std::uint32_t i = 0; i < n; ++i)
         residual[i] = residual[i] - image[i];
-    Field().swap(image);
     const auto done = [&](const Field&, Rgb left) { return at_most(left, wanted); };
-    ExchangeSolution solution;
-    solution.converged =
+    const bool converged =
         positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, threads, y);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = source[i] + rho_root[i] * y[i];
-    solution.radiosity = std::move(y);
-    return solution;
+    return {std::move(y), converged};
 }
 
 NoSolution no_solution(const Scene& scene)
@@ -80,18 +70,13 @@ NoSolution no_solution(const Scene& scene)
 
 std::vector<Rgb> reflectances(const Scene& scene)
 {
-    std::vector<Rgb> rho = large_vector<Rgb>(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        rho[i] = scene.reflectance(i);
-    return rho;
+    return parallel_list(scene.patch_count(), 1, [&](std::uint32_t i) { return scene.reflectance(i); });
 }
 
 std::vector<Rgb> unshot_radiosity(const Scene& scene, const PowerState& state)
 {
-    std::vector<Rgb> unshot = vector_with_capacity<Rgb>(scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        unshot.push_back((1.0 / scene.area(i)) * state.unshot[i]);
-    return unshot;
+    const auto per_area = [&](std::uint32_t i) { return (1.0 / scene.area(i)) * state.unshot[i]; };
+    return parallel_list(scene.patch_count(), 1, per_area);
 }
 
 void distribute(const Scene& scene, const Exchange& exchange, const std::vector<Rgb>& radiosity, double share,
@@ -114,61 +99,52 @@ void distribute(const Scene& scene, const Exchange& exchange, const std::vector<
     }
 }
 
-namespace {
-
-/// The same for the irradiance of one channel. With H' = max(0, H - mu (1 - rho)), the absorbed power is a decreasing,
-/// convex and piecewise linear function of mu. So Newton's iteration from mu = 0 approaches the solution from below,
-/// segment by segment.
-void remove_negative_light(const Scene& scene, double Rgb::*channel, PowerState& state)
-{
-    const auto patches = scene.patch_count();
-    // [W] Absorbed power. Patches have received what negative losses lack.
-    double wanted = std::min(0.0, state.escaped.*channel + state.behind.*channel);
-    bool any = wanted < 0.0;
-    for (std::uint32_t i = 0; i < patches; ++i) {
-        wanted += (1.0 - scene.reflectance(i).*channel) * state.incident[i].*channel;
-        any = any || state.incident[i].*channel < 0.0;
-    }
-    if (!any)
-        return;
-    double mu = 0.0; // [W/m^2]
-    constexpr int most_steps = 100;
-    for (int step = 0; step < most_steps; ++step) {
-        double absorbed = 0.0;
-        double slope = 0.0;
-        for (std::uint32_t i = 0; i < patches; ++i) {
-            const double absorption = 1.0 - scene.reflectance(i).*channel;
-            const double left = state.incident[i].*channel - mu * absorption * scene.area(i);
-            if (left > 0.0) {
-                absorbed += absorption * left;
-                slope += absorption * absorption * scene.area(i);
-            }
-        }
-        const double excess = absorbed - wanted;
-        if (!(excess > 1e-15 * absorbed) || !(slope > 0.0))
-            break;
-        mu += excess / slope;
-    }
-    for (std::uint32_t i = 0; i < patches; ++i) {
-        double& incident = state.incident[i].*channel;
-        incident = std::max(0.0, incident - mu * (1.0 - scene.reflectance(i).*channel) * scene.area(i));
-    }
-}
-
-} // namespace
-
 void remove_negative_light(const Scene& scene, PowerState& state)
 {
-    for (double Rgb::*channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
-        remove_negative_light(scene, channel, state);
-        double& escaped = state.escaped.*channel;
-        double& behind = state.behind.*channel;
-        if (escaped >= 0.0 && behind >= 0.0)
-            continue;
-        const double lost = std::max(0.0, escaped + behind);
-        behind = escaped < 0.0 ? lost : 0.0;
-        escaped = lost - behind;
+    // With H' = max(0, H - mu (1 - rho)), the absorbed power of a channel is a decreasing, convex and piecewise linear
+    // function of mu. So Newton's iteration from mu = 0 approaches the solution from below, segment by segment.
+    const auto absorption = [&](std::uint32_t i) { return Rgb{1.0, 1.0, 1.0} - scene.reflectance(i); };
+    const auto lower = [](double x, double y) { return std::min(x, y); };
+    // [W] Absorbed power. Patches have received what negative losses lack.
+    Rgb wanted = by_channel(lower, Rgb{}, state.escaped + state.behind);
+    Rgb least = wanted;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        wanted += absorption(i) * state.incident[i];
+        least = by_channel(lower, least, state.incident[i]);
     }
+    Rgb mu; // [W/m^2]
+    const auto incident = [&](std::uint32_t i) {
+        const auto positive = [](double before, double less, double of_channel) {
+            return of_channel < 0.0 ? std::max(0.0, before - less) : before;
+        };
+        return by_channel(positive, state.incident[i], scene.area(i) * (mu * absorption(i)), least);
+    };
+    const auto newton_step = [](double absorbed, double power, double slope, double of_channel) {
+        return of_channel < 0.0 && absorbed - power > 1e-15 * absorbed && slope > 0.0 ? (absorbed - power) / slope
+                                                                                      : 0.0;
+    };
+    constexpr int most_steps = 100;
+    Rgb change = least;
+    for (int step = 0; step < most_steps && change != Rgb{}; ++step) {
+        Rgb absorbed;
+        Rgb slope;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+            const Rgb left = incident(i);
+            absorbed += absorption(i) * left;
+            slope += by_channel([](double x, double y) { return x > 0.0 ? y : 0.0; }, left,
+                                scene.area(i) * (absorption(i) * absorption(i)));
+        }
+        change = by_channel(newton_step, absorbed, wanted, slope, least);
+        mu += change;
+    }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        state.incident[i] = incident(i);
+    const auto without_negative = [](double own, double other) {
+        return own < 0.0 ? 0.0 : other < 0.0 ? std::max(0.0, own + other) : own;
+    };
+    const Rgb escaped = by_channel(without_negative, state.escaped, state.behind);
+    state.behind = by_channel(without_negative, state.behind, state.escaped);
+    state.escaped = escaped;
 }
 
 } // namespace multipath

@@ -31,15 +31,14 @@ constexpr double single_angle = 0.5;
 
 constexpr double enough_rays = 16.0; // of a patch, for its own estimate of the visible fraction
 
-constexpr std::uint32_t patches_per_block = 256;
 constexpr std::size_t rays_at_a_time = 4096;
 
 /// Shadow rays that are traced together.
 class RaysToLights
 {
 public:
-    RaysToLights(const Scene& scene, const LightTree& tree, const LightCuts& cuts)
-        : scene_(scene), tree_(tree), cuts_(cuts)
+    RaysToLights(const Scene& scene, const SceneLights& lights)
+        : scene_(scene), tree_(lights.tree.get()), cuts_(lights.cuts.get())
     {
     }
 
@@ -48,7 +47,7 @@ public:
     void add(std::uint32_t patch, const std::vector<Item>& items, std::uint64_t first, std::uint64_t rays,
              double offset, ShadowRaySums& patch_sums)
     {
-        const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
+        const Receiver receiver = {patch, scene_.patch(patch).shape, patch_sums};
         constexpr double below_one = 0x1.fffffffffffffp-1;
         const double step = cuts_.irradiance(patch) / static_cast<double>(rays);
         const SeenCluster* cluster = cuts_.begin(patch);
@@ -60,9 +59,9 @@ public:
             while (cluster + 1 < cuts_.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
             const double x = std::clamp((at - begin) / static_cast<double>(cluster->irradiance), 0.0, below_one);
-            add_ray(patch, receiver, *cluster, x, items[k], true, patch_sums);
+            add_ray(receiver, *cluster, x, items[k], true);
             if (k + 1 == items.size())
-                add_another(patch, receiver, *cluster, x, items[k], patch_sums);
+                add_another(receiver, *cluster, x, items[k]);
         }
     }
 
@@ -89,28 +88,34 @@ private:
         double kernel;       ///< g
     };
 
+    struct Receiver
+    {
+        std::uint32_t patch;
+        FlatPiece piece; ///< the patch
+        ShadowRaySums& sums;
+    };
+
     /// Draws the last ray of a patch anew until it carries light, if no ray has. So nearly every patch knows by a ray
     /// of its own whether it sees a light.
-    void add_another(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, Item item,
-                     ShadowRaySums& patch_sums)
+    void add_another(const Receiver& receiver, const SeenCluster& seen, double x, Item item)
     {
         // A rotation by the fractions of roots of primes (Cranley and Patterson 1976).
         constexpr std::array<double, 5> rotation = {0.4142135623730950, 0.7320508075688773, 0.2360679774997897,
                                                     0.6457513110645906, 0.3166247903553998};
         constexpr int most_trials = 16;
-        for (int trial = 0; trial < most_trials && !(patch_sums.kernel > 0.0); ++trial) {
+        for (int trial = 0; trial < most_trials && !(receiver.sums.kernel > 0.0); ++trial) {
             for (std::size_t k = 0; k < item.size(); ++k)
                 item[k] = std::fmod(item[k] + rotation[k], 1.0);
             x = std::fmod(x + rotation.back(), 1.0);
-            add_ray(patch, receiver, seen, x, item, false, patch_sums);
+            add_ray(receiver, seen, x, item, false);
         }
     }
 
     /// A ray that carries no light is not traced. Only the `planned` ones tell how exact the irradiance of a cluster
     /// is.
-    void add_ray(std::uint32_t patch, const FlatPiece& receiver, const SeenCluster& seen, double x, const Item& item,
-                 bool planned, ShadowRaySums& patch_sums)
+    void add_ray(const Receiver& receiver, const SeenCluster& seen, double x, const Item& item, bool planned)
     {
+        const auto& [patch, piece, patch_sums] = receiver;
         const auto assumed = static_cast<double>(seen.irradiance);
         const std::uint32_t leaf = tree_.choose(seen.node, x);
         const LightTree::Cluster& light = tree_.cluster(leaf);
@@ -119,23 +124,23 @@ private:
         std::uint32_t from = scene_.surface_of(patch);
         std::uint32_t to = surface;
         Line line;
-        if (leaf == seen.node && LightCuts::is_near(light, receiver, single_angle)) {
+        if (leaf == seen.node && LightCuts::is_near(light, piece, single_angle)) {
             const Patch dark = scene_.patch(patch);
             const Patch bright = {surface, tree_.piece(leaf).surface};
-            const RayPair pair(scene_, receiver.area <= light.area ? dark : bright,
-                               receiver.area <= light.area ? bright : dark);
+            const bool from_dark = piece.area <= light.area;
+            const RayPair pair(scene_, from_dark ? dark : bright, from_dark ? bright : dark);
             const RayPair::Ray ray = pair.ray(item);
-            const double exchange = assumed * receiver.area * light.area / light.power;
+            const double exchange = assumed * piece.area * light.area / light.power;
             target = {patch, surface, pair.to_front(), ray.weight / pair.mean_weight(exchange)};
             from = pair.from_surface();
             to = pair.to_surface();
             line = ray.line;
         } else {
-            const Vec3 start = square_to_uniform_surface(receiver.surface, item[0], item[1]);
+            const Vec3 start = square_to_uniform_surface(piece.surface, item[0], item[1]);
             const Vec3 d = square_to_uniform_surface(tree_.piece(leaf).surface, item[2], item[3]) - start;
             const double square = dot(d, d);
             const double cosines =
-                std::max(0.0, dot(receiver.normal, d)) * std::max(0.0, -dot(tree_.piece(leaf).normal, d));
+                std::max(0.0, dot(piece.normal, d)) * std::max(0.0, -dot(tree_.piece(leaf).normal, d));
             target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / assumed;
             line = {start, d};
             if (leaf != seen.node && planned) {
@@ -154,48 +159,27 @@ private:
     ShadowRays<Target> shadow_rays_;
 };
 
-/// Shrinkage factor (empirical Bayes) for a mean error that is estimated by m rays with this variance each, if errors
-/// are typically about `typical`.
-double shrinkage(double typical, double rays, double variance)
+/// Shrinkage factor (empirical Bayes) for the mean of errors that are typically about `typical`.
+double shrinkage(double typical, const RaySums& errors)
 {
     constexpr double least = 0.01; // prevents overconfidence if a few rays happen to agree
-    return typical * typical * rays / (typical * typical * rays + variance + least);
-}
-
-double variance(const RaySums& sums)
-{
-    return elementary::pow(sums.standard_deviation(), 2);
+    const double variance = elementary::pow(errors.standard_deviation(), 2);
+    return typical * typical * errors.rays / (typical * typical * errors.rays + variance + least);
 }
 
 } // namespace
 
-SceneLights::SceneLights(const Scene& scene, int threads) : threads_(threads)
+SceneLights::SceneLights(const Scene& scene, int most_threads) : threads(most_threads)
 {
-    lights_ = std::async(std::launch::deferred, [&scene, threads] {
-        LightTree tree(scene);
-        LightCuts cuts(scene, tree, cluster_angle, threads);
-        return Lights{std::move(tree), std::move(cuts)};
+    tree = std::async(std::launch::deferred, [&scene] { return LightTree(scene); });
+    cuts = std::async(std::launch::deferred, [&scene, trees = tree, most_threads] {
+        return LightCuts(scene, trees.get(), cluster_angle, most_threads);
     });
-    patches_ = std::async(std::launch::deferred, [&scene] {
+    patches = std::async(std::launch::deferred, [&scene] {
         constexpr std::uint32_t patches_of_leaf = 8;
         const auto shape = [&](std::uint32_t i) { return scene.patch(i).shape; };
         return SurfaceTree(scene.patch_count(), shape, scene.bounds().diagonal(), patches_of_leaf);
     });
-}
-
-GatheredLight::GatheredLight(const Scene& scene, const SceneLights& lights)
-    : scene_(scene),
-      tree_(lights.tree()),
-      cuts_(lights.cuts()),
-      patches_(lights.patches()),
-      threads_(lights.threads()),
-      sums_(scene.patch_count())
-{
-}
-
-Blocks GatheredLight::blocks(std::uint32_t patches)
-{
-    return {patches, patches_per_block};
 }
 
 void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::uint64_t first_item, ShardRange& range,
@@ -208,7 +192,7 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
         RaysToLights rays;
         std::vector<Item> items;
     };
-    BlockBuffers<Buffer> buffers(run.threads, {RaysToLights(scene_, tree_, cuts_), {}});
+    BlockBuffers<Buffer> buffers(run.threads, {RaysToLights(scene_, lights_), {}});
     const auto look = [&](std::uint64_t block, int slot) {
         Buffer& buffer = buffers[slot];
         for (auto i = static_cast<std::uint32_t>(patches.first(block)); i < patches.first(block + 1); ++i) {
@@ -231,64 +215,46 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
     resumable_blocks(range.next, range.end, run, look, report);
 }
 
-template <class Value, class Make>
-std::vector<Value> GatheredLight::of_patches(const Make& make) const
+/// make(i, sums of patch i) for all patches.
+template <class Make>
+auto GatheredLight::of_patches(const Make& make) const
 {
-    std::vector<Value> result = large_vector<Value>(sums_.size());
-    parallel_numbers(static_cast<std::uint32_t>(sums_.size()), threads_, [&](std::uint32_t i) { result[i] = make(i); });
-    return result;
-}
-
-std::vector<RaySums> GatheredLight::visible_shares() const
-{
-    const auto free = of_patches<RaySums>([&](std::uint32_t i) {
-        const ShadowRaySums& patch_sums = sums_[i];
-        return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.free, patch_sums.free};
-    });
-    return pooled(patches_, free, enough_rays, OwnRays::counted, threads_);
+    return parallel_list(scene_.patch_count(), lights_.threads, [&](std::uint32_t i) { return make(i, sums_[i]); });
 }
 
 std::vector<double> GatheredLight::deviations() const
 {
     // Prevents a zero if all rays of some patches agree, which few rays may do by chance.
     constexpr double least_variance = 0.002;
-    const std::vector<RaySums> free = visible_shares();
-    return of_patches<double>([&](std::uint32_t i) {
-        const double p = free[i].weight > 0.0 ? free[i].value / free[i].weight : 0.5;
+    const std::vector<RaySums> own = of_patches([](std::uint32_t, const ShadowRaySums& sums) {
+        return RaySums{sums.rays, sums.rays, sums.free, sums.free};
+    });
+    const std::vector<RaySums> free =
+        pooled(lights_.patches.get(), own, enough_rays, OwnRays::counted, lights_.threads);
+    return of_patches([&](std::uint32_t i, const ShadowRaySums&) {
+        const double p = free[i].weight > 0.0 ? free[i].mean() : 0.5;
         return cuts_.irradiance(i) * std::sqrt(p * (1.0 - p) + least_variance);
     });
 }
 
 std::vector<Rgb> GatheredLight::incident() const
 {
-    const auto errors = of_patches<RaySums>([&](std::uint32_t i) { // of the unoccluded irradiance
-        const ShadowRaySums& patch_sums = sums_[i];
-        return RaySums{patch_sums.rays, patch_sums.rays, patch_sums.error, patch_sums.square};
+    const std::vector<RaySums> errors = of_patches([](std::uint32_t, const ShadowRaySums& sums) {
+        return RaySums{sums.rays, sums.rays, sums.error, sums.square}; // of the unoccluded irradiance
     });
-    const std::vector<RaySums> around = pooled(patches_, errors, 1024.0, OwnRays::counted, threads_);
+    const std::vector<RaySums> around =
+        pooled(lights_.patches.get(), errors, 1024.0, OwnRays::counted, lights_.threads);
     constexpr double error_around = 0.1; // typical errors, relative
     constexpr double error_alone = 0.03;
-    auto result = of_patches<Rgb>([&](std::uint32_t i) -> Rgb {
-        const ShadowRaySums& patch_sums = sums_[i];
+    return of_patches([&](std::uint32_t i, const ShadowRaySums& sums) {
+        if (!(sums.kernel > 0.0)) // patches around would lend it light that it may not see
+            return cuts_.contact(i);
         const double unoccluded = scene_.area(i) * cuts_.irradiance(i);
-        if (patch_sums.kernel > 0.0) {
-            const double error =
-                shrinkage(error_around, around[i].rays, variance(around[i])) * (around[i].value / around[i].weight);
-            const double own = patch_sums.error / patch_sums.rays - error;
-            const double correction =
-                1.0 + error + shrinkage(error_alone, patch_sums.rays, variance(errors[i])) * own; // never negative
-            return (unoccluded * correction / patch_sums.kernel) * patch_sums.light;              // (R5)
-        }
-        return {}; // patches around would lend it light that it may not see
+        const double error = shrinkage(error_around, around[i]) * around[i].mean();
+        const double own = errors[i].mean() - error;
+        const double correction = 1.0 + error + shrinkage(error_alone, errors[i]) * own; // never negative
+        return (unoccluded * correction / sums.kernel) * sums.light + cuts_.contact(i);  // (R5)
     });
-    for (const LightCuts::Contact& contact : cuts_.contacts())
-        result[contact.patch] += contact.power;
-    return result;
-}
-
-void GatheredLight::visit(Archive& archive)
-{
-    archive.list<double>("sights", sums_);
 }
 
 GatheredSkylight gathered_skylight(const Scene& scene, const SurfaceTree& patches, const Sequence& sequence,
@@ -333,17 +299,16 @@ GatheredSkylight gathered_skylight(const Scene& scene, const SurfaceTree& patche
         group_of(i).own += own[i];
     }
     const std::vector<RaySums> around = pooled(patches, own, enough_rays, OwnRays::counted, run.threads);
-    const auto fraction = [&](std::uint32_t i) { return quotient(around[i].value, around[i].weight); };
     for (std::uint32_t i = 0; i < n; ++i)
-        group_of(i).found += scene.area(i) * fraction(i);
+        group_of(i).found += scene.area(i) * around[i].mean();
     const Rgb sky = scene.emittance(scene.first_patch(scene.own_surfaces()));
     for (std::uint32_t i = 0; i < n; ++i) {
         if (scene.is_sky_patch(i))
             continue;
         const Group& group = group_of(i);
-        const double mean = quotient(group.own.value, group.own.weight);
-        const double share = group.own.weight == 0.0 ? fraction(i)
-                             : group.found > 0.0     ? fraction(i) * mean * group.area / group.found
+        const double mean = group.own.mean();
+        const double share = group.own.weight == 0.0 ? around[i].mean()
+                             : group.found > 0.0     ? around[i].mean() * mean * group.area / group.found
                                                      : mean;
         result.incident[i] = (scene.area(i) * share) * sky;
         result.by_own_rays[i] = (scene.area(i) * quotient(own[i].value, expected[i])) * sky;
@@ -378,15 +343,14 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     std::vector<Rgb> incident = light.incident();
     if (scene.file().sky_surfaces > 0) {
         const std::vector<Rgb> sky =
-            gathered_skylight(scene, lights.patches(), *sequence, item, static_cast<std::uint64_t>(rays), {threads})
+            gathered_skylight(scene, lights.patches.get(), *sequence, item, static_cast<std::uint64_t>(rays), {threads})
                 .incident;
         for (std::uint32_t i = 0; i < n; ++i)
             incident[i] += sky[i];
     }
-    std::vector<Rgb> result = vector_with_capacity<Rgb>(n);
-    for (std::uint32_t i = 0; i < n; ++i)
-        result.push_back(scene.first_light(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]));
-    return result;
+    return parallel_list(n, threads, [&](std::uint32_t i) {
+        return scene.first_light(i) + (1.0 / scene.area(i)) * (scene.reflectance(i) * incident[i]);
+    });
 }
 
 } // namespace multipath

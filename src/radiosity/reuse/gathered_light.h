@@ -17,26 +17,14 @@ namespace multipath {
 /// Trees over the lights (emitting surfaces) and over the patches of a scene, and the light cut of every patch
 /// (LightCuts). They are the same for all runs, and are built on first use, on `threads` threads. Safe to share between
 /// threads; the scene must outlive this object.
-class SceneLights
+struct SceneLights
 {
-public:
     SceneLights(const Scene& scene, int threads);
 
-    const LightTree& tree() const { return lights_.get().tree; }
-    const LightCuts& cuts() const { return lights_.get().cuts; }
-    const SurfaceTree& patches() const { return patches_.get(); }
-    int threads() const { return threads_; }
-
-private:
-    struct Lights
-    {
-        LightTree tree;
-        LightCuts cuts;
-    };
-
-    int threads_;
-    std::shared_future<Lights> lights_;
-    std::shared_future<SurfaceTree> patches_;
+    int threads;
+    std::shared_future<LightTree> tree;
+    std::shared_future<LightCuts> cuts;
+    std::shared_future<SurfaceTree> patches;
 };
 
 /// Sums over the shadow rays of a patch. For each ray, g is the light that it would carry without obstacles, divided by
@@ -66,9 +54,10 @@ class GatheredLight
 {
 public:
     /// Keeps references to the scene and the lights.
-    GatheredLight(const Scene& scene, const SceneLights& lights);
-    GatheredLight(const GatheredLight&) = delete;
-    GatheredLight& operator=(const GatheredLight&) = delete;
+    GatheredLight(const Scene& scene, const SceneLights& lights)
+        : scene_(scene), lights_(lights), cuts_(lights.cuts.get()), sums_(scene.patch_count())
+    {
+    }
 
     /// [W/m^2] Approximate irradiance H0 without obstacles, mean of the channels.
     double unoccluded(std::uint32_t patch) const { return cuts_.irradiance(patch); }
@@ -76,7 +65,7 @@ public:
     double rays(std::uint32_t patch) const { return sums_[patch].rays; } ///< number of rays cast so far
 
     /// The division of `patches` patches into blocks, the units of work of cast().
-    static Blocks blocks(std::uint32_t patches);
+    static Blocks blocks(std::uint32_t patches) { return {patches, 256}; }
 
     /// Casts the allotted rays of the patches in the blocks range.next ... range.end - 1 of blocks(), and adds them to
     /// the sums. If the run is stopped, only the first of these blocks are done. Moves range.next past the blocks done.
@@ -91,18 +80,16 @@ public:
     /// [W] Per patch: estimated incident power from all lights; 0 for a patch without rays, or with no g above 0.
     std::vector<Rgb> incident() const;
 
-    void visit(Archive& archive); ///< saves the sums to a checkpoint or restores them
+    /// Saves the sums to a checkpoint or restores them.
+    void visit(Archive& archive) { archive.list<double>("sights", sums_); }
 
 private:
-    template <class Value, class Make>
-    std::vector<Value> of_patches(const Make& make) const;
-    std::vector<RaySums> visible_shares() const;
+    template <class Make>
+    auto of_patches(const Make& make) const;
 
     const Scene& scene_;
-    const LightTree& tree_;
+    const SceneLights& lights_;
     const LightCuts& cuts_;
-    const SurfaceTree& patches_;
-    int threads_;
     std::vector<ShadowRaySums> sums_; ///< per patch
 };
 

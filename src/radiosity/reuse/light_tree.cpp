@@ -13,31 +13,12 @@
 
 namespace multipath {
 
-RaySums& RaySums::operator+=(const RaySums& other)
-{
-    rays += other.rays;
-    weight += other.weight;
-    value += other.value;
-    square += other.square;
-    return *this;
-}
-
-double RaySums::standard_deviation() const
-{
-    if (!(weight > 0.0))
-        return 0.0;
-    const double mean = value / weight;
-    return std::sqrt(std::max(0.0, square / weight - mean * mean));
-}
-
 namespace {
-
-constexpr std::size_t dimensions = 6;
 
 /// A surface as a point in the space of positions and normals.
 struct PlacedSurface
 {
-    std::array<float, dimensions> at;
+    std::array<float, dimensions_of_place> at;
     std::uint32_t surface;
 };
 
@@ -48,13 +29,10 @@ std::vector<PlacedSurface> placed_surfaces(std::uint32_t count, const std::funct
     std::vector<PlacedSurface> result = vector_with_capacity<PlacedSurface>(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Surface surface = shape(i);
-        const Vec3 centre = surface.centre();
-        const Vec3 normal = turn * diagonal * surface.normal();
-        PlacedSurface placed{{}, i};
-        std::size_t d = 0;
-        for (const double x : {centre.x, centre.y, centre.z, normal.x, normal.y, normal.z})
-            placed.at[d++] = static_cast<float>(x);
-        result.push_back(placed);
+        const Place place = place_of(surface.centre(), turn * diagonal * surface.normal());
+        result.push_back({{}, i});
+        std::transform(place.begin(), place.end(), result.back().at.begin(),
+                       [](double x) { return static_cast<float>(x); });
     }
     return result;
 }
@@ -63,18 +41,11 @@ std::vector<PlacedSurface> placed_surfaces(std::uint32_t count, const std::funct
 /// the first element of the second part.
 PlacedSurface* split(PlacedSurface* first, PlacedSurface* last)
 {
-    std::array<float, dimensions> low = first->at;
-    std::array<float, dimensions> high = first->at;
+    Extent box(first->at);
     for (const PlacedSurface* p = first; p != last; ++p)
-        for (std::size_t d = 0; d < dimensions; ++d) {
-            low[d] = std::min(low[d], p->at[d]);
-            high[d] = std::max(high[d], p->at[d]);
-        }
-    std::size_t longest = 0;
-    for (std::size_t d = 1; d < dimensions; ++d)
-        if (high[d] - low[d] > high[longest] - low[longest])
-            longest = d;
-    const float middle = 0.5f * (low[longest] + high[longest]);
+        box.include(p->at);
+    const std::size_t longest = box.longest();
+    const float middle = 0.5f * (box.low[longest] + box.high[longest]);
     PlacedSurface* cut = std::partition(first, last, [&](const PlacedSurface& p) { return p.at[longest] < middle; });
     const std::ptrdiff_t few = (last - first) / 64;
     if (cut - first > few && last - cut > few)
@@ -178,15 +149,14 @@ LightTree::Cluster cluster_of(const FlatPiece& piece, double emittance)
 /// The union of two clusters, without its radius.
 LightTree::Cluster sum_of(const LightTree::Cluster& a, const LightTree::Cluster& b)
 {
-    LightTree::Cluster result;
-    result.area = a.area + b.area;
-    result.power = a.power + b.power;
+    LightTree::Cluster result = a;
+    result.area += b.area;
+    result.power += b.power;
     result.centre = (1.0 / result.power) * (a.power * a.centre + b.power * b.centre);
-    result.bounds = a.bounds;
     result.bounds.include(b.bounds);
     result.area_vector = a.area_vector + b.area_vector;
     for (std::size_t m = 0; m < result.second_moment.size(); ++m)
-        result.second_moment[m] = a.second_moment[m] + b.second_moment[m];
+        result.second_moment[m] += b.second_moment[m];
     constexpr double least =
         1.0 / 3.0; // lower bound, so that the cut does not contain every one of a thousand round lamps
     result.coherence = std::max(least, length(result.area_vector) / result.area);
@@ -213,7 +183,7 @@ LightTree::LightTree(const Scene& scene)
 {
     const std::vector<SurfaceTree::Node>& nodes = tree_.nodes();
     for (std::uint32_t index = 0; index < lights_.size(); ++index)
-        pieces_.push_back(piece_of(scene.surfaces()[lights_[tree_.surface(index)]]));
+        pieces_.push_back(scene.surfaces()[lights_[tree_.surface(index)]]);
     if (empty())
         return;
     clusters_.resize(nodes.size());
@@ -277,48 +247,39 @@ double seen_above(double height, HeightRange range)
     return range.low < 0.0 ? std::max(height, 0.25 * range.high) : height;
 }
 
-/// Light cuts of consecutive patches.
-struct BlockOfCuts
-{
-    std::vector<SeenCluster> clusters;
-    std::vector<std::size_t> count;
-    std::vector<double> irradiance;
-    std::vector<LightCuts::Contact> contacts;
-};
+} // namespace
 
-class CutFinder
+struct LightCuts::CutFinder
 {
-public:
-    CutFinder(const Scene& scene, const LightTree& tree, double angle)
-        : scene_(scene), tree_(tree), angle_(angle), touching_(coplanar_distance * scene.bounds().diagonal())
-    {
-    }
+    const Scene& scene;
+    const LightTree& tree;
+    double angle;
+    double touching = coplanar_distance * scene.bounds().diagonal();
 
-    void find(std::uint32_t patch, BlockOfCuts& block, std::vector<std::uint32_t>& stack) const
+    /// Appends the cut of the patch to the block.
+    void find(std::uint32_t patch, Block& block) const
     {
-        const FlatPiece receiver = piece_of(scene_.patch(patch).shape);
-        const std::size_t before = block.clusters.size();
-        double sum = 0.0;
-        Rgb contact;
-        stack.assign(tree_.empty() ? 0 : 1, 0);
+        const FlatPiece receiver = scene.patch(patch).shape;
+        Cut cut{block.clusters.size(), 0, 0.0, {}};
+        std::vector<std::uint32_t> stack(tree.empty() ? 0 : 1, 0);
         while (!stack.empty()) {
             const std::uint32_t node = stack.back();
             stack.pop_back();
-            const LightTree::Cluster& light = tree_.cluster(node);
+            const LightTree::Cluster& light = tree.cluster(node);
             const Vec3 d = light.centre - receiver.centre;
             const HeightRange above = heights_above(receiver, light.bounds);
-            if (above.high < -touching_)
+            if (above.high < -touching)
                 continue;
-            const bool leaf = tree_.is_leaf(node);
-            double irradiance = 0.0;
-            if (!leaf && LightCuts::is_near(light, receiver, angle_ * light.coherence)) {
-                stack.push_back(tree_.first_child(node) + 1);
-                stack.push_back(tree_.first_child(node));
+            const bool leaf = tree.is_leaf(node);
+            if (!leaf && LightCuts::is_near(light, receiver, angle * light.coherence)) {
+                stack.push_back(tree.first_child(node) + 1);
+                stack.push_back(tree.first_child(node));
                 continue;
             }
+            double irradiance = 0.0;
             if (leaf) {
-                irradiance = leaf_irradiance(patch, receiver, node, contact);
-            } else if (above.high > touching_) {
+                irradiance = leaf_irradiance(patch, receiver, node, cut.contact);
+            } else if (above.high > touching) {
                 const double distance = length(d);
                 const double rise = seen_above(dot(receiver.normal, d), above);
                 const double facing = light.projected_area((-1.0 / distance) * d);
@@ -327,84 +288,48 @@ public:
             if (!(irradiance > 0.0))
                 continue;
             block.clusters.push_back({node, static_cast<float>(irradiance)});
-            sum += static_cast<double>(block.clusters.back().irradiance);
+            cut.irradiance += static_cast<double>(block.clusters.back().irradiance);
         }
-        block.count.push_back(block.clusters.size() - before);
-        block.irradiance.push_back(sum);
-        if (mean(contact) > 0.0)
-            block.contacts.push_back({patch, contact});
+        cut.end = block.clusters.size();
+        block.cuts.push_back(cut);
     }
 
-private:
     /// [W/m^2] Irradiance from a single light by exchange_area(). The power of a light in contact is added to `contact`
     /// instead.
     double leaf_irradiance(std::uint32_t patch, const FlatPiece& receiver, std::uint32_t leaf, Rgb& contact) const
     {
-        const FlatPiece& light = tree_.piece(leaf);
-        const std::uint32_t surface = tree_.surface(leaf);
-        if (scene_.surface_of(patch) == surface)
+        const FlatPiece& light = tree.piece(leaf);
+        const std::uint32_t surface = tree.surface(leaf);
+        if (scene.surface_of(patch) == surface)
             return 0.0;
-        const Vec3 d = light.centre - receiver.centre;
-        const double reach = -dot(light.normal, d);
-        // No corner is farther from the centre, in any direction, than two thirds of both edges together.
-        const double extent = (std::abs(dot(light.normal, receiver.surface.edge_u)) +
-                               std::abs(dot(light.normal, receiver.surface.edge_v))) /
-                              1.5;
-        if (reach + extent < -touching_)
-            return 0.0;
-        const double emittance = tree_.cluster(leaf).power / light.area;
+        const double emittance = tree.cluster(leaf).power / light.area;
         const bool opposite = dot(receiver.normal, light.normal) < -1.0 + 1e-9;
-        if (opposite && heights(polygon_of(receiver.surface), light.centre, light.normal).within(touching_)) {
-            const double area = contact_area(scene_, patch, surface, touching_);
-            if (area > 0.0)
-                contact += area * scene_.emittance(scene_.first_patch(surface));
+        if (opposite && heights(polygon_of(receiver.surface), light.centre, light.normal).within(touching)) {
+            const double area = contact_area(scene, patch, surface, touching);
+            contact += area * scene.emittance(scene.first_patch(surface));
             return 0.0;
         }
-        return exchange_area(receiver, light, touching_) / receiver.area * emittance;
+        return exchange_area(receiver, light, touching) / receiver.area * emittance;
     }
-
-    const Scene& scene_;
-    const LightTree& tree_;
-    const double angle_;
-    const double touching_;
 };
 
-} // namespace
-
-bool LightCuts::is_near(const LightTree::Cluster& light, const FlatPiece& patch, double angle)
+LightCuts::LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads)
 {
-    const double size = light.radius + patch.radius;
-    const Vec3 d = light.centre - patch.centre;
-    return size * size >= angle * angle * dot(d, d);
+    const Blocks patches = {scene.patch_count(), patches_of_block};
+    const CutFinder finder{scene, tree, angle};
+    blocks_.resize(static_cast<std::size_t>(patches.count()));
+    parallel_blocks(patches.count(), threads, [&](std::uint64_t number) {
+        for (std::uint64_t i = patches.first(number); i < patches.first(number + 1); ++i)
+            finder.find(static_cast<std::uint32_t>(i), blocks_[static_cast<std::size_t>(number)]);
+    });
 }
 
-LightCuts::LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads) : first_{0}
+double LightCuts::bytes() const
 {
-    constexpr std::uint32_t patches_at_a_time = 512;
-    const Blocks patches = {scene.patch_count(), patches_at_a_time};
-    const CutFinder finder(scene, tree, angle);
-    struct Buffer
-    {
-        BlockOfCuts cuts;
-        std::vector<std::uint32_t> stack;
-    };
-    BlockBuffers<Buffer> buffers(threads);
-    first_.reserve(scene.patch_count() + std::size_t{1});
-    irradiance_.reserve(scene.patch_count());
-    const auto find = [&](std::uint64_t number, int slot) {
-        buffers[slot].cuts = {};
-        for (std::uint64_t i = patches.first(number); i < patches.first(number + 1); ++i)
-            finder.find(static_cast<std::uint32_t>(i), buffers[slot].cuts, buffers[slot].stack);
-    };
-    const auto append = [&](std::uint64_t, int slot) {
-        const BlockOfCuts& block = buffers[slot].cuts;
-        clusters_.insert(clusters_.end(), block.clusters.begin(), block.clusters.end());
-        irradiance_.insert(irradiance_.end(), block.irradiance.begin(), block.irradiance.end());
-        contacts_.insert(contacts_.end(), block.contacts.begin(), block.contacts.end());
-        for (const std::size_t count : block.count)
-            first_.push_back(first_.back() + count);
-    };
-    ordered_blocks(patches.count(), threads, find, append);
+    double clusters = 0.0;
+    for (const Block& block : blocks_)
+        clusters += static_cast<double>(block.clusters.capacity());
+    return clusters * sizeof(SeenCluster);
 }
 
 } // namespace multipath

@@ -5,13 +5,50 @@
 #include "geometry/surface.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace multipath {
+
+/// A position and a direction, a normal times a length that tells how much directions count.
+constexpr std::size_t dimensions_of_place = 6;
+using Place = std::array<double, dimensions_of_place>;
+
+inline Place place_of(Vec3 position, Vec3 direction)
+{
+    return {position.x, position.y, position.z, direction.x, direction.y, direction.z};
+}
+
+/// Bounding box of points with the coordinates of a Place.
+template <class Point>
+struct Extent
+{
+    Point low;
+    Point high;
+
+    explicit Extent(const Point& point) : low(point), high(point) {}
+    void include(const Point& point)
+    {
+        for (std::size_t d = 0; d < point.size(); ++d) {
+            low[d] = std::min(low[d], point[d]);
+            high[d] = std::max(high[d], point[d]);
+        }
+    }
+    auto length(std::size_t d) const { return high[d] - low[d]; }
+    std::size_t longest() const ///< dimension of the greatest length
+    {
+        std::size_t result = 0;
+        for (std::size_t d = 1; d < low.size(); ++d)
+            if (length(d) > length(result))
+                result = d;
+        return result;
+    }
+};
 
 /// Binary tree that groups surfaces, or patches, by position and normal. Each node holds a range of the surfaces in
 /// tree order, in which the surfaces of every node are consecutive. Takes n log n steps to build.
@@ -51,9 +88,16 @@ struct RaySums
     double value = 0.0;  ///< sum of weight * value
     double square = 0.0; ///< sum of weight * value^2
 
-    RaySums& operator+=(const RaySums& other);
-    /// Weighted standard deviation of the value; 0 without weights.
-    double standard_deviation() const;
+    RaySums& operator+=(const RaySums& other)
+    {
+        rays += other.rays;
+        weight += other.weight;
+        value += other.value;
+        square += other.square;
+        return *this;
+    }
+    double mean() const { return quotient(value, weight); } ///< of the value; 0 without weights
+    double standard_deviation() const { return std::sqrt(std::max(0.0, quotient(square, weight) - mean() * mean())); }
 };
 
 /// Whether pooled() counts the rays of a surface itself. What is decided by sums without them is independent of what
@@ -129,29 +173,42 @@ public:
     /// the distance of their centres. (Where the normals of the lights differ, their projected area is less certain.)
     LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads);
 
-    const SeenCluster* begin(std::uint32_t patch) const { return clusters_.data() + first_[patch]; }
-    const SeenCluster* end(std::uint32_t patch) const { return clusters_.data() + first_[patch + 1]; }
-    double irradiance(std::uint32_t patch) const { return irradiance_[patch]; } ///< [W/m^2] sum over its clusters
-    /// [bytes] Memory of all clusters.
-    double bytes() const { return static_cast<double>(clusters_.capacity() * sizeof(SeenCluster)); }
-
-    /// Power [W] that a patch receives from lights that touch it face to face. No shadow ray can find such a light, and
-    /// no cluster contains this power.
-    struct Contact
-    {
-        std::uint32_t patch;
-        Rgb power;
-    };
-    const std::vector<Contact>& contacts() const { return contacts_; } ///< in the order of the patches
+    const SeenCluster* begin(std::uint32_t patch) const { return of(patch).clusters.data() + cut(patch).begin; }
+    const SeenCluster* end(std::uint32_t patch) const { return of(patch).clusters.data() + cut(patch).end; }
+    double irradiance(std::uint32_t patch) const { return cut(patch).irradiance; } ///< [W/m^2] sum over its clusters
+    /// Power [W] that the patch receives from lights that touch it face to face. No shadow ray can find such a light,
+    /// and no cluster contains this power.
+    Rgb contact(std::uint32_t patch) const { return cut(patch).contact; }
+    double bytes() const; ///< [bytes] memory of all clusters
 
     /// True if the radii of light and patch together are at least `angle` [1] times the distance of their centres.
-    static bool is_near(const LightTree::Cluster& light, const FlatPiece& patch, double angle);
+    static bool is_near(const LightTree::Cluster& light, const FlatPiece& patch, double angle)
+    {
+        const double size = light.radius + patch.radius;
+        const Vec3 d = light.centre - patch.centre;
+        return size * size >= angle * angle * dot(d, d);
+    }
 
 private:
-    std::vector<SeenCluster> clusters_;
-    std::vector<std::size_t> first_; ///< per patch: index of its first cluster; one more entry holds their number
-    std::vector<double> irradiance_; ///< [W/m^2] per patch
-    std::vector<Contact> contacts_;
+    struct Cut
+    {
+        std::size_t begin; ///< among the clusters of its block
+        std::size_t end;
+        double irradiance;
+        Rgb contact;
+    };
+    static constexpr std::uint32_t patches_of_block = 512;
+    struct Block ///< the cuts of consecutive patches
+    {
+        std::vector<SeenCluster> clusters;
+        std::vector<Cut> cuts;
+    };
+    struct CutFinder;
+
+    const Block& of(std::uint32_t patch) const { return blocks_[patch / patches_of_block]; }
+    const Cut& cut(std::uint32_t patch) const { return of(patch).cuts[patch % patches_of_block]; }
+
+    std::vector<Block> blocks_;
 };
 
 } // namespace multipath

@@ -24,14 +24,13 @@ using Field = std::vector<Rgb>;
 struct LeavingLines
 {
     double all = 0.0;
-    double escaped = 0.0;
-    double behind = 0.0;
+    double lost = 0.0;   ///< those that reached no patch
+    double behind = 0.0; ///< those of them that met a side without a patch
 
-    double lost() const { return escaped + behind; }
     LeavingLines& operator+=(const LeavingLines& other)
     {
         all += other.all;
-        escaped += other.escaped;
+        lost += other.lost;
         behind += other.behind;
         return *this;
     }
@@ -41,9 +40,8 @@ std::vector<LeavingLines> leaving_lines(const PairCounts& counts)
 {
     std::vector<LeavingLines> result(counts.escaped.size());
     for (std::uint32_t i = 0; i < result.size(); ++i) {
-        const auto escaped = static_cast<double>(counts.escaped[i]);
-        const auto behind = static_cast<double>(counts.behind[i]);
-        result[i] += {escaped + behind, escaped, behind};
+        const auto lost = static_cast<double>(counts.escaped[i] + counts.behind[i]);
+        result[i] += {lost, lost, static_cast<double>(counts.behind[i])};
         const PairCount* const row = counts.pairs.row(i);
         for (std::uint32_t j = 0; j < i; ++j) {
             result[i].all += row[j].joined;
@@ -82,9 +80,9 @@ ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::v
     for (const LeavingLines& patch : lines)
         all += patch;
     const auto lost_without = [](const LeavingLines& whole, const LeavingLines& part, double prior) {
-        return (whole.lost() - part.lost() + prior) / (whole.all - part.all + 1.0);
+        return (whole.lost - part.lost + prior) / (whole.all - part.all + 1.0);
     };
-    const double overall = all.all > 0.0 ? all.lost() / all.all : 1.0;
+    const double overall = all.all > 0.0 ? all.lost / all.all : 1.0;
     ExchangeLosses result{std::vector<double>(lines.size()), std::vector<double>(lines.size())};
     variance.assign(lines.size(), 0.0);
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -96,7 +94,7 @@ ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::v
         const double around =
             std::max(least, lost_without(of_blocks[blocks.block_of[i]], own, lost_without(side, own, overall)));
         const double lost = lost_without(own, {}, around);
-        const double behind = (own.behind + quotient(side.behind, side.lost())) / (own.lost() + 1.0);
+        const double behind = (own.behind + quotient(side.behind, side.lost)) / (own.lost + 1.0);
         result.behind[i] = area * lost * behind;
         result.escaping[i] = area * lost - result.behind[i];
         const double not_lost = std::max(1.0 - around, std::min(1.0, joined[i] / area));
@@ -122,19 +120,12 @@ Field rough_radiosity(const PairMatrix<float>& pairs, const ExchangeLosses& loss
 /// The exchange estimated so far, first from global lines, then also from rays.
 struct CountedExchange
 {
+    std::uint32_t patches;
     std::uint64_t lines = 0; ///< number of global lines; 0 until all are counted
-    ExchangeEstimate estimate;
-    ExchangeLosses losses;
-    std::vector<double> variance_of_losses; ///< [m^4]
-    Field first_guess;                      ///< [W/m^2] radiosity
-
-    explicit CountedExchange(std::uint32_t patches)
-        : estimate{PairMatrix<float>(patches), PairMatrix<float>(patches)},
-          losses{std::vector<double>(patches), std::vector<double>(patches)},
-          variance_of_losses(patches),
-          first_guess(patches)
-    {
-    }
+    ExchangeEstimate estimate = {PairMatrix<float>(patches), PairMatrix<float>(patches)};
+    ExchangeLosses losses = {std::vector<double>(patches), std::vector<double>(patches)};
+    std::vector<double> variance_of_losses = std::vector<double>(patches); ///< [m^4]
+    Field first_guess = Field(patches);                                    ///< [W/m^2] radiosity
 
     void visit(Archive& archive)
     {
@@ -191,15 +182,6 @@ void close_rows(const Scene& scene, const PairMatrix<float>& unoccluded, int thr
     }
 }
 
-/// Sets negative estimates to zero. The resulting errors of the row sums become self-exchange, so that the diagonal
-/// dominates every row and a solution exists, however large the noise is.
-void clamp_to_positive(PairMatrix<float>& pairs)
-{
-    for (std::uint32_t i = 0; i < pairs.size(); ++i)
-        for (std::uint32_t j = 0; j < i; ++j)
-            pairs.at(i, j) = std::max(pairs.at(i, j), 0.0f);
-}
-
 } // namespace
 
 std::uint64_t min_table_lines(const Scene& scene)
@@ -225,7 +207,7 @@ std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatri
         return 0;
     const Field source = unshot_radiosity(scene, state);
     const Field rho = reflectances(scene);
-    CountedExchange counted(scene.patch_count());
+    CountedExchange counted{scene.patch_count()};
     const Checkpoint::Part part(run.checkpoint, "line reuse", [&](Archive& archive) { counted.visit(archive); });
     const auto crossing_area_of = [&](std::uint64_t cast) { return 1.0 / lines.expected_crossings(1.0, cast); }; // (G1)
     if (counted.lines == 0) {
@@ -257,11 +239,16 @@ std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatri
             distribute(scene, exchange, solution.radiosity, 1.0, run.threads, state);
         return solution.converged;
     };
-    if (!solved(counted.first_guess)) {
-        clamp_to_positive(counted.estimate.exchange);
-        if (!solved(source))
-            throw no_solution(scene);
-    }
+    if (solved(counted.first_guess))
+        return lines_cast;
+    // Without negative estimates the errors of the row sums become self-exchange, so that the diagonal dominates every
+    // row and a solution exists, however large the noise is.
+    PairMatrix<float>& pairs = counted.estimate.exchange;
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+            pairs.at(i, j) = std::max(pairs.at(i, j), 0.0f);
+    if (!solved(source))
+        throw no_solution(scene);
     return lines_cast;
 }
 

@@ -87,8 +87,8 @@ void rays_to_sky(Run& run)
         return;
     const std::uint64_t rays = run.lines_left() / 2;
     const SceneLights lights(run.scene, run.options.threads);
-    const GatheredSkylight found =
-        gathered_skylight(run.scene, lights.patches(), *run.sequence, run.first_local_item(), rays, run.control(1, 1));
+    const GatheredSkylight found = gathered_skylight(run.scene, lights.patches.get(), *run.sequence,
+                                                     run.first_local_item(), rays, run.control(1, 1));
     if (run.stopped())
         return;
     run.solution.local_lines += rays;

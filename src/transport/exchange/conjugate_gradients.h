@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/memory.h"
 #include "parallel/blocks.h"
 #include "scene/rgb.h"
 
@@ -24,7 +23,7 @@ Value dot(const std::vector<Value>& a, const std::vector<Value>& b)
 }
 
 /// Improves x, a guess of the solution of A x = b, where A is symmetric and positive definite. `residual` must be
-/// b - A x for this guess. matrix(x, y) sets y to A x; precondition(i, r_i) returns about r_i / A_ii. Stops when
+/// b - A x for this guess. matrix(x) returns A x, precondition(i, r_i) about r_i / A_ii. Stops when
 /// done(residual, sum over i of r_i precondition(i, r_i)) returns true, after most_steps, or after a step which shows
 /// that A is indefinite. Returns true if `done` is true in the end and A has not turned out to be indefinite; otherwise
 /// x is no solution. The result has the same bits for any number of threads.
@@ -34,15 +33,12 @@ bool conjugate_gradients(const Matrix& matrix, const Precondition& precondition,
 {
     const auto n = static_cast<std::uint32_t>(x.size());
     const auto sum = [&](const auto& term) { return parallel_sum<Value>(n, threads, term); };
-    std::vector<Value> direction = large_vector<Value>(n);
-    Value norm = sum([&](std::uint32_t i) {
-        direction[i] = precondition(i, residual[i]);
-        return residual[i] * direction[i];
-    });
-    std::vector<Value> image = large_vector<Value>(n);
+    std::vector<Value> direction =
+        parallel_list(n, threads, [&](std::uint32_t i) { return precondition(i, residual[i]); });
+    Value norm = sum([&](std::uint32_t i) { return residual[i] * direction[i]; });
     bool positive = true;
     for (int step = 0; step < most_steps && positive && !done(residual, norm); ++step) {
-        matrix(direction, image);
+        const std::vector<Value> image = matrix(direction);
         const Value curvature = sum([&](std::uint32_t i) { return direction[i] * image[i]; });
         positive = at_most(Value{}, curvature);
         const Value length = quotient(norm, curvature);

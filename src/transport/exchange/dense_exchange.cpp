@@ -17,7 +17,7 @@ DenseExchange::DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses loss
         self_exchange_[i] -= sums[i] + losses_.escaping[i] + losses_.behind[i];
 }
 
-void DenseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
+std::vector<Rgb> DenseExchange::apply(const std::vector<Rgb>& x, int threads) const
 {
     const std::uint32_t n = size();
     std::vector<std::vector<double>> channels(3, std::vector<double>(n));
@@ -27,8 +27,9 @@ void DenseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector
         channels[2][i] = x[i].b;
     }
     const std::vector<std::vector<double>> products = symmetric_product(pairs_, channels, threads);
-    for (std::uint32_t i = 0; i < n; ++i)
-        y[i] = Rgb{products[0][i], products[1][i], products[2][i]} + self_exchange_[i] * x[i];
+    return parallel_list(n, threads, [&](std::uint32_t i) {
+        return Rgb{products[0][i], products[1][i], products[2][i]} + self_exchange_[i] * x[i];
+    });
 }
 
 // Least-squares closure (R3): minimise the sum of d_ij^2 / var_ij over all pairs, subject to a given sum over j of
@@ -39,33 +40,12 @@ void DenseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector
 // the wanted sum minus the present one. If a wanted sum is itself uncertain, its variance is added to the first
 // bracket. The matrix is symmetric and has no negative eigenvalue, so conjugate gradients solve the system.
 
-namespace {
-
-using Vector = std::vector<double>;
-
-/// Solution x of (diagonal + matrix) x = right.
-Vector solve(const PairMatrix<float>& matrix, const Vector& diagonal, const Vector& right, int threads)
-{
-    constexpr int most_steps = 40;
-    constexpr double tolerance = 1e-4; // of the residual; far finer than the variances are known
-    const double wanted = tolerance * tolerance * dot(right, right);
-    const auto times = [&](const Vector& x, Vector& image) {
-        image = symmetric_product(matrix, {x}, threads)[0];
-        for (std::size_t i = 0; i < x.size(); ++i)
-            image[i] += diagonal[i] * x[i];
-    };
-    const auto by_diagonal = [&](std::size_t i, double x) { return x / diagonal[i]; };
-    const auto done = [&](const Vector& residual, double) { return dot(residual, residual) <= wanted; };
-    Vector x(right.size(), 0.0);
-    conjugate_gradients(times, by_diagonal, right, most_steps, done, threads, x);
-    return x;
-}
-
-} // namespace
-
 std::vector<double> reconcile(ExchangeEstimate& estimate, const std::vector<double>& wanted,
                               const std::vector<double>& wanted_variance, int threads)
 {
+    using Vector = std::vector<double>;
+    constexpr int most_steps = 40;
+    constexpr double tolerance = 1e-4; // of the deficit; far finer than the variances are known
     PairMatrix<float>& exchange = estimate.exchange;
     const PairMatrix<float>& variance = estimate.variance;
     const std::uint32_t n = exchange.size();
@@ -78,16 +58,24 @@ std::vector<double> reconcile(ExchangeEstimate& estimate, const std::vector<doub
         // A tiny addition avoids division by zero.
         diagonal[i] += wanted_variance[i] + 1e-14 * wanted[i] * wanted[i] + 1e-300;
     }
-    const Vector multiplier = solve(variance, diagonal, deficit, threads);
+    const auto matrix = [&](const Vector& x) {
+        Vector image = symmetric_product(variance, {x}, threads)[0];
+        for (std::uint32_t i = 0; i < n; ++i)
+            image[i] += diagonal[i] * x[i];
+        return image;
+    };
+    const auto by_diagonal = [&](std::size_t i, double x) { return x / diagonal[i]; };
+    const double end = tolerance * tolerance * dot(deficit, deficit);
+    const auto done = [&](const Vector& residual, double) { return dot(residual, residual) <= end; };
+    Vector multiplier(n);
+    conjugate_gradients(matrix, by_diagonal, deficit, most_steps, done, threads, multiplier);
 
-    constexpr std::uint32_t rows_at_a_time = 64;
-    parallel_ranges(n, rows_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i) {
-            float* row = exchange.row(i);
-            const float* uncertain = variance.row(i);
-            for (std::uint32_t j = 0; j < i; ++j)
-                row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
-        }
+    parallel_blocks(n, threads, [&](std::uint64_t number) {
+        const auto i = static_cast<std::uint32_t>(number);
+        float* row = exchange.row(i);
+        const float* uncertain = variance.row(i);
+        for (std::uint32_t j = 0; j < i; ++j)
+            row[j] += static_cast<float>(static_cast<double>(uncertain[j]) * (multiplier[i] + multiplier[j]));
     });
     Vector residual = wanted_variance;
     for (std::uint32_t i = 0; i < n; ++i)

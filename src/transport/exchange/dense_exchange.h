@@ -25,7 +25,7 @@ public:
     DenseExchange(const PairMatrix<float>& pairs, ExchangeLosses losses, std::vector<double> row_area, int threads);
 
     std::uint32_t size() const override { return pairs_.size(); }
-    void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
+    std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const override;
     double self_exchange(std::uint32_t patch) const override { return self_exchange_[patch]; }
     double escaping(std::uint32_t patch) const override { return losses_.escaping[patch]; }
     double behind(std::uint32_t patch) const override { return losses_.behind[patch]; }

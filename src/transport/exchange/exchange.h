@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/memory.h"
 #include "scene/rgb.h"
 
 #include <cstdint>
@@ -18,17 +17,8 @@ public:
 
     virtual std::uint32_t size() const = 0; ///< number of patches
 
-    /// Sets y = G x: the power [W] that each patch receives if x is the radiosity [W/m^2]. Both x and y must have
-    /// size() elements.
-    virtual void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const = 0;
-
-    /// Returns G x.
-    std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const
-    {
-        std::vector<Rgb> y = large_vector<Rgb>(size());
-        multiply(x, threads, y);
-        return y;
-    }
+    /// Returns G x: the power [W] that each patch receives if x is the radiosity [W/m^2]; x must have size() elements.
+    virtual std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const = 0;
 
     /// G_ii [m^2]. Flat patches do not see themselves: this is only what rounding and noise leave over in row i.
     virtual double self_exchange(std::uint32_t patch) const = 0;

@@ -10,6 +10,8 @@ namespace multipath {
 
 namespace {
 
+constexpr std::uint32_t whole_surface = std::numeric_limits<std::uint32_t>::max(); ///< cells of a block
+
 /// Index of the block of its surface to which a cell belongs, below blocks_in_surface(grid, cells).
 std::uint32_t block_in_surface(const Tessellation& grid, std::uint32_t cell, std::uint32_t cells)
 {
@@ -45,7 +47,7 @@ PatchBlocks patch_blocks(const Scene& scene, std::uint32_t cells)
 
 PatchBlocks surface_blocks(const Scene& scene)
 {
-    return patch_blocks(scene, std::numeric_limits<std::uint32_t>::max());
+    return patch_blocks(scene, whole_surface);
 }
 
 // The unoccluded exchange G0 of a pair is known exactly. A share V of the lines through both patches is free of
@@ -196,23 +198,17 @@ double trust(double lines_across)
     return square * square / (1.0 + square * square);
 }
 
-/// The number of blocks that patch_blocks(scene, cells) makes. A real number, like other estimated sizes.
-double block_count(const Scene& scene, std::uint32_t cells)
-{
-    double count = 0.0;
-    for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
-        count += blocks_in_surface(scene.tessellation(surface), cells);
-    return (scene.two_sided() ? 2.0 : 1.0) * count;
-}
-
 } // namespace
 
 double estimation_bytes(const Scene& scene)
 {
-    const double surfaces = static_cast<double>(scene.surfaces().size()) * (scene.two_sided() ? 2.0 : 1.0);
     double pairs = 0.0;
-    for (const double blocks : {block_count(scene, fine_cells), block_count(scene, middle_cells), surfaces, surfaces})
+    for (const std::uint32_t cells : {fine_cells, middle_cells, whole_surface, whole_surface}) {
+        double blocks = 0.0; // that patch_blocks(scene, cells) makes
+        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
+            blocks += (scene.two_sided() ? 2.0 : 1.0) * blocks_in_surface(scene.tessellation(surface), cells);
         pairs += 0.5 * blocks * (blocks + 1.0);
+    }
     return (sizeof(BlockCount) + sizeof(double)) * pairs;
 }
 

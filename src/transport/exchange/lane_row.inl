@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t sum_count = 8; // for any number of lanes, so that all instruction sets add in the same order
 
 template <int vectors>
-KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct* products)
+KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t i, RowProduct* products)
 {
     constexpr std::uint32_t width = DoubleLanes::width;
     DoubleLanes sums[vectors][sum_count / width];
@@ -17,7 +17,7 @@ KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct
         for (std::uint32_t s = 0; s < sum_count / width; ++s)
             sums[k][s] = DoubleLanes::all(0.0);
     std::uint32_t j = 0;
-    for (; j + sum_count <= count; j += sum_count)
+    for (; j + sum_count <= i; j += sum_count)
         for (std::uint32_t s = 0; s < sum_count / width; ++s) {
             const std::uint32_t at = j + s * width;
             const DoubleLanes value = DoubleLanes::load_floats(row + at);
@@ -31,13 +31,14 @@ KERNEL_ENTRY void multiply_row(const float* row, std::uint32_t count, RowProduct
         double parts[sum_count];
         for (std::uint32_t s = 0; s < sum_count / width; ++s)
             sums[k][s].store(parts + s * width);
-        for (std::uint32_t rest = j; rest < count; ++rest) {
+        for (std::uint32_t rest = j; rest < i; ++rest) {
             const double value = row[rest];
             parts[0] += value * products[k].x[rest];
             products[k].y[rest] += value * products[k].factor;
         }
-        products[k].sum =
+        const double sum =
             ((parts[0] + parts[1]) + (parts[2] + parts[3])) + ((parts[4] + parts[5]) + (parts[6] + parts[7]));
+        products[k].y[i] += sum + static_cast<double>(row[i]) * products[k].factor; // with the diagonal
     }
 }
 

@@ -21,32 +21,10 @@
 
 namespace multipath {
 
-namespace {
-
-constexpr int digit_bits = 11; // the offsets of all digit values then stay in the first-level cache
-constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
-
-using DigitOffsets = std::array<std::uint32_t, digit_values>;
-
-std::size_t digit(std::uint64_t key, int shift)
-{
-    return static_cast<std::size_t>(key >> shift) & (digit_values - 1);
-}
-
-/// Offset of the first key with each value of the digit, in the order sorted by this digit.
-DigitOffsets offsets_of(const std::vector<std::uint64_t>& keys, int shift)
-{
-    DigitOffsets offsets{};
-    for (const std::uint64_t key : keys)
-        ++offsets[digit(key, shift)];
-    std::exclusive_scan(offsets.begin(), offsets.end(), offsets.begin(), std::uint32_t{0});
-    return offsets;
-}
-
-} // namespace
-
 void sort_keys(std::vector<std::uint64_t>& keys, int bits)
 {
+    constexpr int digit_bits = 11; // the offsets of all digit values then stay in the first-level cache
+    constexpr std::size_t digit_values = std::size_t{1} << digit_bits;
     // For few keys the offsets do not pay; for more than 2^32 keys their type is too small.
     if (keys.size() < digit_values / 4 || keys.size() > 0xffffffffu) {
         std::sort(keys.begin(), keys.end());
@@ -54,9 +32,15 @@ void sort_keys(std::vector<std::uint64_t>& keys, int bits)
     }
     std::vector<std::uint64_t> sorted(keys.size());
     for (int shift = 0; shift < bits; shift += digit_bits) {
-        DigitOffsets offsets = offsets_of(keys, shift);
+        const auto digit = [shift](std::uint64_t key) {
+            return static_cast<std::size_t>(key >> shift) & (digit_values - 1);
+        };
+        std::array<std::uint32_t, digit_values> offsets{}; // of the first key with each value of the digit
         for (const std::uint64_t key : keys)
-            sorted[offsets[digit(key, shift)]++] = key;
+            ++offsets[digit(key)];
+        std::exclusive_scan(offsets.begin(), offsets.end(), offsets.begin(), std::uint32_t{0});
+        for (const std::uint64_t key : keys)
+            sorted[offsets[digit(key)]++] = key;
         keys.swap(sorted);
     }
 }
@@ -131,11 +115,6 @@ void CountRows::add(const CountRows& others)
     reached_ = std::move(sum);
 }
 
-CountRow CountRows::row(std::uint32_t row) const
-{
-    return {reached_.data() + row_begin_[row], reached_.data() + row_begin_[row + 1]};
-}
-
 void CountRows::visit(Archive& archive)
 {
     archive.list<std::uint64_t>("row begin", row_begin_);
@@ -201,11 +180,6 @@ void LineCounts::visit(Archive& archive)
 {
     for (std::size_t p = 0; p < parts_.size(); ++p)
         archive.object("part " + std::to_string(p), parts_[p].counts);
-}
-
-Blocks ray_blocks(const Allotment& rays)
-{
-    return {rays.rays(), rays_per_block};
 }
 
 void count_rays(const Scene& scene, const Allotment& rays, const Sequence& sequence, std::uint64_t first_item,

@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "transport/lines/global_lines.h"
 #include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +50,11 @@ public:
     /// size.
     void visit(Archive& archive);
 
-    CountRow row(std::uint32_t row) const; ///< lines that merge() has not sorted yet are missing
+    /// Lines that merge() has not sorted yet are missing.
+    CountRow row(std::uint32_t row) const
+    {
+        return {reached_.data() + row_begin_[row], reached_.data() + row_begin_[row + 1]};
+    }
     std::uint64_t escaped(std::uint32_t row) const { return escaped_[row]; }
     std::uint64_t behind(std::uint32_t row) const { return behind_[row]; }
 
@@ -108,7 +113,10 @@ private:
 };
 
 /// The division of the allotted rays into blocks, the units of work of count_rays.
-Blocks ray_blocks(const Allotment& rays);
+inline Blocks ray_blocks(const Allotment& rays)
+{
+    return {rays.rays(), rays_per_block};
+}
 
 /// Casts the allotted rays (local_lines) of the blocks range.next ... range.end - 1 of ray_blocks(), and counts them;
 /// those that reach the sky count as escaped. A run that is stopped casts the rays of fewer blocks, from the beginning

@@ -54,11 +54,6 @@ RayPair::Ray RayPair::ray(const Item& item) const
     return near_ ? into_solid_angle(start, item[2], item[3]) : towards_point(start, item[2], item[3]);
 }
 
-double RayPair::mean_weight(double unoccluded) const
-{
-    return pi * unoccluded / sampled_area_;
-}
-
 RayPair::Ray RayPair::towards_point(Vec3 start, double u, double v) const
 {
     const Vec3 d = square_to_uniform_surface(to_.shape, u, v) - start;
@@ -101,11 +96,20 @@ struct RowOfRays
     {
         std::uint32_t patch; ///< j
         std::uint64_t rays;
+        bool to_front = false; ///< see RayPair::to_front
+        double all = 0.0;      ///< sum of weights
+        double free = 0.0;     ///< that of unoccluded rays
     };
 
     std::uint64_t first_ray = 0; ///< number of its first ray among the rays of all rows
     std::uint64_t end_ray = 0;   ///< first_ray of the next row
     std::vector<Target> targets; ///< those that get any rays
+};
+
+struct RayOfPair
+{
+    RowOfRays::Target* pair;
+    double weight;
 };
 
 double sum_of_products(Rgb a, Rgb b)
@@ -170,13 +174,11 @@ public:
     ShardRange rows_of(Shard shard) const
     {
         const std::uint64_t n = before_.size() - 1;
-        const auto first_row = [&](std::uint64_t number) -> std::uint64_t {
-            if (number == 0 || number == shard.of)
-                return number == 0 ? 0 : n;
+        const auto first_row = [&](std::uint64_t number) {
             const double part = static_cast<double>(number) / static_cast<double>(shard.of);
             const double rays = before_.front() + part * (before_.back() - before_.front());
             const auto row = std::lower_bound(before_.begin(), before_.end(), rays) - before_.begin();
-            return std::min(n, static_cast<std::uint64_t>(row));
+            return number == shard.of ? n : std::min(n, static_cast<std::uint64_t>(row));
         };
         const std::uint64_t first = first_row(shard.number);
         return {n, first, first, first_row(shard.number + 1), shard.of};
@@ -248,78 +250,14 @@ private:
     std::vector<double> before_; ///< per row: expected rays of all rows before it; then the total
 };
 
-/// The visibility of several pairs, by shadow rays that are traced together, in reusable buffers.
-class VisibilityBlock
-{
-public:
-    explicit VisibilityBlock(const Scene& scene) : scene_(scene) {}
-
-    /// Casts `rays` rays of the next pair, with the items from `first_item` on. Rays of weight 0 are skipped.
-    void add(const RayPair& pair, const Sequence& sequence, std::uint64_t first_item, std::uint64_t rays)
-    {
-        pairs_.push_back({pair.to_front()});
-        for (std::uint64_t done = 0; done < rays; done += items_.size()) {
-            items_.resize(std::min<std::size_t>(rays - done, most_rays - rays_.size()));
-            sequence.generate(first_item + done, items_);
-            for (const Item& item : items_)
-                if (const RayPair::Ray ray = pair.ray(item); ray.weight > 0.0) {
-                    rays_.add(pair.from_surface(), pair.to_surface(), ray.line, {pairs_.size() - 1, ray.weight});
-                    pairs_.back().all += ray.weight;
-                }
-            if (rays_.size() == most_rays)
-                trace();
-        }
-    }
-
-    /// Returns for each pair the share of unoccluded rays, by weight, or -1 if none of its rays has a weight. Removes
-    /// all pairs.
-    std::vector<double> visible_shares()
-    {
-        trace();
-        std::vector<double> shares;
-        for (const PairOfBlock& pair : pairs_)
-            shares.push_back(pair.all > 0.0 ? pair.free / pair.all : -1.0);
-        pairs_.clear();
-        return shares;
-    }
-
-private:
-    static constexpr std::size_t most_rays = 1u << 14; ///< at once: bounds the memory, however many rays a pair has
-
-    struct PairOfBlock
-    {
-        bool to_front;     ///< see RayPair::to_front
-        double all = 0.0;  ///< sum of weights
-        double free = 0.0; ///< that of unoccluded rays
-    };
-    struct RayOfPair
-    {
-        std::size_t pair;
-        double weight;
-    };
-
-    void trace()
-    {
-        rays_.trace(scene_, [&](const RayOfPair& ray, const Hit& hit) {
-            if (hit.front == pairs_[ray.pair].to_front)
-                pairs_[ray.pair].free += ray.weight;
-        });
-    }
-
-    const Scene& scene_;
-    std::vector<PairOfBlock> pairs_;
-    std::vector<Item> items_;
-    ShadowRays<RayOfPair> rays_;
-};
-
-/// Combines the estimate of a pair with that of its rays, whose visible share is `share`. Each is weighted by its
-/// number of lines or rays.
+/// Combines the estimate of a pair with that of its rays, each weighted by its number of lines or rays.
 void refine(ExchangeEstimate& estimate, const PairMatrix<float>& unoccluded, double crossing_area, std::uint32_t i,
-            const RowOfRays::Target& target, double share)
+            const RowOfRays::Target& target)
 {
     const auto free_exchange = static_cast<double>(unoccluded.at(i, target.patch));
     const double lines = free_exchange / crossing_area; // expected number, of the first estimate
     const double part = static_cast<double>(target.rays) / (static_cast<double>(target.rays) + lines);
+    const double share = target.free / target.all;
     float& exchange = estimate.exchange.at(i, target.patch);
     exchange = static_cast<float>((1.0 - part) * static_cast<double>(exchange) + part * free_exchange * share);
     float& variance = estimate.variance.at(i, target.patch);
@@ -349,24 +287,48 @@ void refine_by_rays(ExchangeEstimate& estimate, const Scene& scene, const PairMa
     if (!allotment.any())
         return;
 
-    BlockBuffers<VisibilityBlock> blocks(run.threads, VisibilityBlock(scene));
-    const auto cast_row = [&](std::uint32_t i, VisibilityBlock& block) {
-        const RowOfRays row = allotment.row(i);
-        std::uint64_t next_item = plan.first_item + row.first_ray;
-        for (const RowOfRays::Target& target : row.targets) {
-            block.add(RayPair(scene, i, target.patch), sequence, next_item, target.rays);
-            next_item += target.rays;
+    struct Buffer
+    {
+        std::vector<Item> items;
+        ShadowRays<RayOfPair> rays;
+        void trace(const Scene& scene)
+        {
+            rays.trace(scene, [](const RayOfPair& ray, const Hit& hit) {
+                if (hit.front == ray.pair->to_front)
+                    ray.pair->free += ray.weight;
+            });
         }
-        const std::vector<double> shares = block.visible_shares();
-        for (std::size_t k = 0; k < shares.size(); ++k)
-            if (shares[k] >= 0.0)
-                refine(estimate, unoccluded, crossing_area, i, row.targets[k], shares[k]);
-        return row.end_ray - row.first_ray;
     };
+    BlockBuffers<Buffer> buffers(run.threads);
     std::vector<std::uint64_t> cast(n);
-    shard_blocks(
-        rows, run, [&](std::uint64_t i, int slot) { cast[i] = cast_row(static_cast<std::uint32_t>(i), blocks[slot]); },
-        [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
+    const auto cast_row = [&](std::uint64_t number, int slot) {
+        constexpr std::size_t most_rays = 1u << 14; // at once: bounds the memory, however many rays a pair has
+        const auto i = static_cast<std::uint32_t>(number);
+        auto& [items, rays] = buffers[slot];
+        RowOfRays row = allotment.row(i);
+        std::uint64_t next_item = plan.first_item + row.first_ray;
+        for (RowOfRays::Target& target : row.targets) {
+            const RayPair pair(scene, i, target.patch);
+            target.to_front = pair.to_front();
+            for (const std::uint64_t end = next_item + target.rays; next_item < end; next_item += items.size()) {
+                items.resize(std::min<std::size_t>(end - next_item, most_rays - rays.size()));
+                sequence.generate(next_item, items);
+                for (const Item& item : items)
+                    if (const RayPair::Ray ray = pair.ray(item); ray.weight > 0.0) {
+                        rays.add(pair.from_surface(), pair.to_surface(), ray.line, {&target, ray.weight});
+                        target.all += ray.weight;
+                    }
+                if (rays.size() == most_rays)
+                    buffers[slot].trace(scene);
+            }
+        }
+        buffers[slot].trace(scene);
+        for (const RowOfRays::Target& target : row.targets)
+            if (target.all > 0.0)
+                refine(estimate, unoccluded, crossing_area, i, target);
+        cast[i] = row.end_ray - row.first_ray;
+    };
+    shard_blocks(rows, run, cast_row, [&](std::uint64_t i, int) { run.count_lines(cast[i]); });
 }
 
 } // namespace multipath

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/elementary.h"
 #include "geometry/line.h"
 #include "parallel/run_control.h"
 #include "sampling/sequence.h"
@@ -36,7 +37,7 @@ public:
     Ray ray(const Item& item) const;
 
     /// Expected weight of a ray, in the unit of the weights, given the unoccluded exchange [m^2] of the pair.
-    double mean_weight(double unoccluded) const;
+    double mean_weight(double unoccluded) const { return pi * unoccluded / sampled_area_; }
 
     std::uint32_t from_surface() const { return from_.surface; }
     std::uint32_t to_surface() const { return to_.surface; }

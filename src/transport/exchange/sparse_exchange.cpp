@@ -1,7 +1,6 @@
 #include "transport/exchange/sparse_exchange.h"
 
 #include "base/disjoint_sets.h"
-#include "base/memory.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
@@ -26,17 +25,7 @@ struct SumsOverRays // over the rays of a patch
 struct SentBack // what a patch sends along a ray: G even + G^2 (own - back B)
 {
     Rgb even, own, back;
-};
-
-struct LostLight // [W]
-{
-    Rgb escaped, behind;
-    LostLight& operator+=(const LostLight& other)
-    {
-        escaped += other.escaped;
-        behind += other.behind;
-        return *this;
-    }
+    double lost_ray; ///< [m^2] G of a ray that meets no patch
 };
 
 } // namespace
@@ -44,16 +33,7 @@ struct LostLight // [W]
 SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<double>& area,
                                const std::vector<double>& cast, const std::vector<std::uint32_t>& side,
                                std::vector<std::uint32_t> sky, double unseen_rays, int threads)
-    : counts_(counts),
-      area_(area),
-      factors_(vector_with_capacity<Factors>(area.size())),
-      cast_(cast),
-      sky_(std::move(sky)),
-      lost_rays_(large_vector<double>(area.size())),
-      lost_(large_vector<double>(area.size())),
-      open_(large_vector<double>(area.size())),
-      own_(large_vector<double>(area.size())),
-      unseen_(large_vector<double>(area.size()))
+    : counts_(counts), area_(area), cast_(cast), sky_(std::move(sky))
 {
     double all_escaped = 0.0;
     double all_lost = 0.0;
@@ -98,8 +78,17 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         space_.assign(size(), 0);
         loses_.assign(size(), false);
     }
-    if (!space_.empty())
-        share_deficits();
+    // The patches of a space share their deficits. What a patch would share with itself, much if its space has few
+    // patches, is lost if any ray of the space is.
+    unseen_sum_ = large_vector<double>(space_.size());
+    for (std::uint32_t i = 0; i < space_.size(); ++i)
+        unseen_sum_[space_[i]] += unseen_[i];
+    for (std::uint32_t i = 0; i < space_.size(); ++i)
+        if (unseen_[i] > 0.0 && loses(i)) {
+            const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
+            lost_[i] += own;
+            own_[i] -= own;
+        }
     const double share_of_all = all_lost > 0.0 ? all_escaped / all_lost : 1.0;
     const double open_area = parallel_sum<double>(size(), threads, [&](std::uint32_t i) {
         const double rays = rays_lost(i);
@@ -110,12 +99,6 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         sky_area_ += area[i];
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
-}
-
-/// Rays of the patch that met no patch.
-double SparseExchange::rays_lost(std::uint32_t patch) const
-{
-    return static_cast<double>(counts_.escaped(patch)) + static_cast<double>(counts_.behind(patch));
 }
 
 void SparseExchange::find_spaces(const std::vector<std::uint32_t>& side)
@@ -176,31 +159,6 @@ void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, cons
     }
 }
 
-/// The patches of a space share their deficits. What a patch would share with itself, much if its space has few
-/// patches, is lost if any ray of the space is.
-void SparseExchange::share_deficits()
-{
-    unseen_sum_ = large_vector<double>(size());
-    for (std::uint32_t i = 0; i < size(); ++i)
-        unseen_sum_[space_[i]] += unseen_[i];
-    for (std::uint32_t i = 0; i < size(); ++i)
-        if (unseen_[i] > 0.0 && loses(i)) {
-            const double own = unseen_[i] * unseen_[i] / unseen_sum_[space_[i]];
-            lost_[i] += own;
-            own_[i] -= own;
-        }
-}
-
-/// [W/m^2] The mean of x over the unseen area of each space, at its first patch.
-std::vector<Rgb> SparseExchange::spread_light(const std::vector<Rgb>& x) const
-{
-    std::vector<Rgb> light(space_.size());
-    for (std::uint32_t i = 0; i < space_.size(); ++i)
-        if (unseen_[i] > 0.0)
-            light[space_[i]] += (unseen_[i] / unseen_sum_[space_[i]]) * x[i];
-    return light;
-}
-
 /// [m^2] Exchange area of patch i with all patches after step 1.
 double SparseExchange::joined(std::uint32_t i) const
 {
@@ -235,15 +193,13 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     constexpr double small_error = 2e-7;   // [1] share of the area
     constexpr double most_change = 1024.0; // of a density, within the range of single precision
     constexpr double most_of_step = 4.0;
-    const auto root = [](double x) { return std::sqrt(x); };
     const auto density = [&](std::uint32_t i) { return static_cast<double>(factors_[i].density); };
-    std::vector<float> next = large_vector<float>(size());
-    std::vector<float> before = large_vector<float>(size());
-    std::vector<float> cast = large_vector<float>(size());
-    for (std::uint32_t i = 0; i < size(); ++i) {
+    const std::vector<float> cast = parallel_list(size(), threads, [&](std::uint32_t i) {
         factors_[i].scale = 1.0f;
-        cast[i] = before[i] = next[i] = factors_[i].density;
-    }
+        return factors_[i].density;
+    });
+    std::vector<float> before = cast;
+    std::vector<float> next = cast;
     const double all = parallel_sum<double>(size(), threads, [&](std::uint32_t i) { return wanted[i]; });
     double error = 1.0;
     for (int step = 0; step < most_steps && error > small_error; ++step) {
@@ -262,7 +218,7 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
                 return 0.0;
             const double excess = unit_ * sum / wanted[i] - 1.0;
             const double change = std::clamp(1.0 + 0.75 * excess * sum / slope, 1.0 / most_of_step, most_of_step);
-            const double momentum = root(root(root(root(own / static_cast<double>(before[i])))));
+            const double momentum = std::sqrt(std::sqrt(std::sqrt(std::sqrt(own / static_cast<double>(before[i])))));
             const auto first = static_cast<double>(cast[i]);
             const double wished = own * change * momentum;
             const double fitted = std::clamp(wished, first / most_change, first * most_change);
@@ -300,7 +256,7 @@ void SparseExchange::give_to_sky(Rgb light, std::vector<Rgb>& y) const
 }
 
 /// The exchange by the rays that join patches, after step 1.
-void SparseExchange::multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
+std::vector<Rgb> SparseExchange::apply_rays(const std::vector<Rgb>& x, int threads) const
 {
     // Scale the light by a power of two, which is exact, into the range of single precision.
     const double sum_of_all = parallel_sum<double>(
@@ -314,13 +270,12 @@ void SparseExchange::multiply_rays(const std::vector<Rgb>& x, int threads, std::
         float r, g, b; ///< scaled light
         float density;
     };
-    std::vector<Sender> senders = large_vector<Sender>(size());
-    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+    const std::vector<Sender> senders = parallel_list(size(), threads, [&](std::uint32_t i) {
         const Rgb light = to_single * static_cast<double>(factors_[i].scale) * x[i];
-        senders[i] = {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b),
+        return Sender{static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b),
                       factors_[i].density};
     });
-    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+    return parallel_list(size(), threads, [&](std::uint32_t i) {
         const auto density = static_cast<double>(factors_[i].density);
         Rgb sum;
         for (const std::uint32_t j : counts_.row(i)) {
@@ -328,15 +283,18 @@ void SparseExchange::multiply_rays(const std::vector<Rgb>& x, int threads, std::
             sum += (1.0 / (density + static_cast<double>(sender.density))) *
                    Rgb{static_cast<double>(sender.r), static_cast<double>(sender.g), static_cast<double>(sender.b)};
         }
-        y[i] = unit_of_light * unit_ * static_cast<double>(factors_[i].scale) * sum;
+        return unit_of_light * unit_ * static_cast<double>(factors_[i].scale) * sum;
     });
 }
 
-void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const
+std::vector<Rgb> SparseExchange::apply(const std::vector<Rgb>& x, int threads) const
 {
-    multiply_rays(x, threads, y);
+    std::vector<Rgb> y = apply_rays(x, threads);
     const Rgb sky = light_of_sky(x);
-    const std::vector<Rgb> spread = spread_light(x);
+    std::vector<Rgb> spread(space_.size()); // [W/m^2] mean of x over the unseen area of each space, at its first patch
+    for (std::uint32_t i = 0; i < space_.size(); ++i)
+        if (unseen_[i] > 0.0)
+            spread[space_[i]] += (unseen_[i] / unseen_sum_[space_[i]]) * x[i];
     const Rgb escaped = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) {
         y[i] += own_[i] * x[i] + open_[i] * sky;
         if (unseen_[i] > 0.0)
@@ -344,6 +302,7 @@ void SparseExchange::multiply(const std::vector<Rgb>& x, int threads, std::vecto
         return open_[i] * x[i];
     });
     give_to_sky(escaped, y);
+    return y;
 }
 
 SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosity, const std::vector<Rgb>& reflectance,
@@ -358,8 +317,7 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
             take(j, unit_ * static_cast<double>(own.scale) * static_cast<double>(other.scale) / densities);
         }
     };
-    std::vector<SentBack> senders = large_vector<SentBack>(size());
-    const LostLight lost = parallel_sum<LostLight>(size(), threads, [&](std::uint32_t i) -> LostLight {
+    const std::vector<SentBack> senders = parallel_list(size(), threads, [&](std::uint32_t i) -> SentBack {
         SumsOverRays sums;
         for_joined(i, [&](std::uint32_t j, double ray) {
             sums.area += ray;
@@ -387,21 +345,27 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
         const double factor = even * (1.0 / std::max(1.0 - repeated, repeated / most));
         const Rgb sent = (factor / sums.area) * reflectance[i];
         const Rgb irradiance = (1.0 / sums.area) * sums.light;
-        SentBack& own = senders[i];
-        own = {(1.0 / sums.area) * (sent * (sums.squared - sums.squares * irradiance)), sent * irradiance, sent};
-        const Rgb per_lost_area = own.even + lost_ray * own.own;
-        return {open_[i] * (per_lost_area - lost_ray * (own.back * sky)), behind(i) * per_lost_area};
+        const Rgb from_all = (1.0 / sums.area) * (sent * (sums.squared - sums.squares * irradiance));
+        return {from_all, sent * irradiance, sent, lost_ray};
     });
-    Returns result{large_vector<Rgb>(size()), {}, lost.behind};
-    parallel_numbers(size(), threads, [&](std::uint32_t i) {
+    const auto per_lost_area = [&](const SentBack& own) { return own.even + own.lost_ray * own.own; };
+    Returns result;
+    result.incident = parallel_list(size(), threads, [&](std::uint32_t i) {
+        Rgb sum;
         for_joined(i, [&](std::uint32_t j, double ray) {
             const SentBack& from = senders[j];
-            result.incident[i] += ray * from.even + (ray * ray) * (from.own - from.back * radiosity[i]);
+            sum += ray * from.even + (ray * ray) * (from.own - from.back * radiosity[i]);
         });
+        return sum;
     });
-    give_to_sky(lost.escaped, result.incident);
+    result.behind =
+        parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) { return behind(i) * per_lost_area(senders[i]); });
+    const Rgb escaped = parallel_sum<Rgb>(size(), threads, [&](std::uint32_t i) {
+        return open_[i] * (per_lost_area(senders[i]) - senders[i].lost_ray * (senders[i].back * sky));
+    });
+    give_to_sky(escaped, result.incident);
     if (sky_.empty())
-        result.escaped = lost.escaped;
+        result.escaped = escaped;
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/memory.h"
 #include "transport/exchange/exchange.h"
 #include "transport/exchange/line_counts.h"
 
@@ -44,7 +45,7 @@ public:
                    int threads);
 
     std::uint32_t size() const override { return counts_.size(); }
-    void multiply(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const override;
+    std::vector<Rgb> apply(const std::vector<Rgb>& x, int threads) const override;
     double self_exchange(std::uint32_t patch) const override;
     double escaping(std::uint32_t patch) const override { return sky_.empty() ? open_[patch] : 0.0; }
     double behind(std::uint32_t patch) const override { return std::max(0.0, lost_[patch] - open_[patch]); }
@@ -94,34 +95,37 @@ private:
 
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
     bool loses(std::uint32_t patch) const { return !space_.empty() && loses_[space_[patch]]; }
-    double rays_lost(std::uint32_t patch) const;
+    /// Rays of the patch that met no patch.
+    double rays_lost(std::uint32_t patch) const
+    {
+        return static_cast<double>(counts_.escaped(patch)) + static_cast<double>(counts_.behind(patch));
+    }
     double joined(std::uint32_t i) const;
     double lost(std::uint32_t i) const;
     Rgb light_of_sky(const std::vector<Rgb>& x) const;
     void find_spaces(const std::vector<std::uint32_t>& side);
     std::vector<SideLosses> losses_of_sides(const std::vector<std::uint32_t>& side) const;
     void correct_losses(const std::vector<std::uint32_t>& side, const std::vector<SideLosses>& of_sides);
-    void share_deficits();
-    std::vector<Rgb> spread_light(const std::vector<Rgb>& x) const;
     void give_to_sky(Rgb light, std::vector<Rgb>& y) const;
-    void multiply_rays(const std::vector<Rgb>& x, int threads, std::vector<Rgb>& y) const;
+    std::vector<Rgb> apply_rays(const std::vector<Rgb>& x, int threads) const;
     void balance(const std::vector<double>& wanted, int threads);
 
     const LineCounts& counts_;
     std::vector<double> area_;
-    double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
-    std::vector<Factors> factors_;
     const std::vector<double>& cast_;
     std::vector<std::uint32_t> sky_;
-    double sky_area_ = 0.0;            ///< [m^2]
-    std::vector<double> lost_rays_;    ///< rays of a patch that met no patch, as if all its rays had counted for that
-    std::vector<double> lost_;         ///< [m^2] exchange area with no patch
-    std::vector<double> open_;         ///< [m^2] the part of it with the sky or the outside of the scene
-    std::vector<double> own_;          ///< [m^2] self-exchange: deficits from rounding and of closed spaces; of the sky
-    std::vector<double> unseen_;       ///< [m^2] the part of the other deficits that is spread over the patches
-    std::vector<std::uint32_t> space_; ///< per patch: the first patch of its space; empty if no ray is lost
-    std::vector<bool> loses_;          ///< of each space, at its first patch: true if rays are lost
-    std::vector<double> unseen_sum_;   ///< [m^2] of unseen_, at the first patch of each space
+    double unit_ = 0.0; ///< [m^2] total area, the unit of areas that keeps numbers within the range of floats
+    std::vector<Factors> factors_ = vector_with_capacity<Factors>(area_.size());
+    double sky_area_ = 0.0; ///< [m^2]
+    /// Rays of a patch that met no patch, as if all its rays had counted for that.
+    std::vector<double> lost_rays_ = large_vector<double>(area_.size());
+    std::vector<double> lost_ = large_vector<double>(area_.size()); ///< [m^2] exchange area with no patch
+    std::vector<double> open_ = lost_; ///< [m^2] the part of it with the sky or the outside of the scene
+    std::vector<double> own_ = lost_;  ///< [m^2] self-exchange: deficits from rounding and of closed spaces; of the sky
+    std::vector<double> unseen_ = lost_; ///< [m^2] the part of the other deficits that is spread over the patches
+    std::vector<std::uint32_t> space_;   ///< per patch: the first patch of its space; empty if no ray is lost
+    std::vector<bool> loses_;            ///< of each space, at its first patch: true if rays are lost
+    std::vector<double> unseen_sum_;     ///< [m^2] of unseen_, at the first patch of each space
 };
 
 } // namespace multipath

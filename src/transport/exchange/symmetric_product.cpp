@@ -23,16 +23,6 @@ std::uint32_t first_row(std::uint32_t n, std::uint32_t band)
     return static_cast<std::uint32_t>(std::lround(n * std::sqrt(static_cast<double>(band) / bands)));
 }
 
-/// Multiplies a row with all vectors, three at a time if there are as many, so that the row is read once for the three.
-void multiply(const RowKernel& kernel, const float* row, std::uint32_t count, std::vector<RowProduct>& products)
-{
-    std::size_t k = 0;
-    for (; k + 3 <= products.size(); k += 3)
-        kernel.multiply_three(row, count, &products[k]);
-    for (; k < products.size(); ++k)
-        kernel.multiply_one(row, count, &products[k]);
-}
-
 } // namespace
 
 std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matrix,
@@ -41,6 +31,7 @@ std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matr
 {
     const std::uint32_t n = matrix.size();
     const std::size_t count = vectors.size();
+    const auto multiply_row = count == 3 ? kernel.multiply_three : kernel.multiply_one;
     std::vector<std::vector<double>> parts(bands * count);
     parallel_blocks(bands, threads, [&](std::uint64_t number) {
         const auto band = static_cast<std::uint32_t>(number);
@@ -49,12 +40,9 @@ std::vector<std::vector<double>> symmetric_product(const PairMatrix<float>& matr
             parts[band * count + k].resize(end);
         std::vector<RowProduct> row_products(count);
         for (std::uint32_t i = first_row(n, band); i < end; ++i) {
-            const float* row = matrix.row(i);
             for (std::size_t k = 0; k < count; ++k)
-                row_products[k] = {vectors[k].data(), vectors[k][i], parts[band * count + k].data(), 0.0};
-            multiply(kernel, row, i, row_products); // below the diagonal
-            for (const RowProduct& product : row_products)
-                product.y[i] += product.sum + static_cast<double>(row[i]) * product.factor;
+                row_products[k] = {vectors[k].data(), vectors[k][i], parts[band * count + k].data()};
+            multiply_row(matrix.row(i), i, row_products.data());
         }
     });
     std::vector<std::vector<double>> products(count, std::vector<double>(n));

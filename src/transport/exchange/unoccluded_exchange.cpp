@@ -19,76 +19,29 @@ namespace multipath {
 
 namespace {
 
-/// Coordinates in the plane of a shape: those of its surface, with (0, 0) at its origin and 1 at the end of each edge.
-class EdgeCoordinates
+/// True if a point of the plane of the shape lies inside it, clear of its border.
+bool contains(const Surface& shape, Vec3 point)
 {
-public:
-    explicit EdgeCoordinates(const Surface& shape)
-        : shape_(shape), normal_(cross(shape.edge_u, shape.edge_v)), scale_(1.0 / dot(normal_, normal_))
-    {
-    }
-
-    double u(Vec3 from_origin) const { return scale_ * dot(cross(from_origin, shape_.edge_v), normal_); }
-    double v(Vec3 from_origin) const { return scale_ * dot(cross(shape_.edge_u, from_origin), normal_); }
-
-    /// True if a point of the plane of the shape lies inside it, clear of its border.
-    bool contains(Vec3 point) const
-    {
-        const double at_u = u(point - shape_.origin);
-        const double at_v = v(point - shape_.origin);
-        const bool in_triangle = shape_.shape == Shape::parallelogram || at_u + at_v < 1.0 - inset;
-        return at_u > inset && at_v > inset && at_u < 1.0 - inset && at_v < 1.0 - inset && in_triangle;
-    }
-
-    /// The range {first, last} of k in 0 ... count - 1 that contains all points start + k step inside the shape, to be
-    /// tested by contains(); last < first if there are none.
-    std::pair<int, int> range_inside(Vec3 start, Vec3 step, int count) const
-    {
-        const double at_u = u(start - shape_.origin);
-        const double at_v = v(start - shape_.origin);
-        const double step_u = u(step);
-        const double step_v = v(step);
-        double first = 0.0;
-        double last = count - 1.0;
-        const auto require_positive = [&](double at, double slope) { // at + k slope > 0
-            if (slope > 0.0)
-                first = std::max(first, -at / slope);
-            else if (slope < 0.0)
-                last = std::min(last, -at / slope);
-            else if (!(at > 0.0))
-                last = -1.0;
-        };
-        require_positive(at_u, step_u);
-        require_positive(at_v, step_v);
-        require_positive(1.0 - at_u, -step_u);
-        require_positive(1.0 - at_v, -step_v);
-        if (shape_.shape == Shape::triangle)
-            require_positive(1.0 - at_u - at_v, -step_u - step_v);
-        return first <= last ? std::pair<int, int>{static_cast<int>(first), static_cast<int>(std::ceil(last))}
-                             : std::pair<int, int>{0, -1};
-    }
-
-private:
-    static constexpr double inset = 1e-4; ///< share of an edge
-
-    Surface shape_;
-    Vec3 normal_;
-    double scale_;
-};
+    constexpr double inset = 1e-4; // share of an edge
+    const Vec3 normal = cross(shape.edge_u, shape.edge_v);
+    const Vec3 from_origin = point - shape.origin;
+    const double scale = 1.0 / dot(normal, normal);
+    const double u = scale * dot(cross(from_origin, shape.edge_v), normal);
+    const double v = scale * dot(cross(shape.edge_u, from_origin), normal);
+    const double farthest = shape.shape == Shape::triangle ? u + v : std::max(u, v);
+    return std::min(u, v) > inset && farthest < 1.0 - inset;
+}
 
 /// The points of a grid x grid pattern on the first shape that are inside both shapes.
 std::vector<Vec3> common_points(const Surface& small, const Surface& large, int grid)
 {
-    const EdgeCoordinates on_small(small);
-    const EdgeCoordinates on_large(large);
     std::vector<Vec3> points;
-    for (int i = 0; i < grid; ++i) {
-        const auto point = [&](int j) { return small.at((i + 0.5) / grid, (j + 0.5) / grid); };
-        const auto [first, last] = on_large.range_inside(point(0), (1.0 / grid) * small.edge_v, grid);
-        for (int j = first; j <= last; ++j)
-            if (on_small.contains(point(j)) && on_large.contains(point(j)))
-                points.push_back(point(j));
-    }
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j < grid; ++j) {
+            const Vec3 point = small.at((i + 0.5) / grid, (j + 0.5) / grid);
+            if (contains(large, point) && contains(small, point))
+                points.push_back(point);
+        }
     return points;
 }
 
@@ -143,7 +96,6 @@ struct Side
 {
     std::uint32_t surface;
     std::uint32_t first_patch;
-    std::uint32_t patch_count;
     FlatPiece whole; ///< of the surface, with this side as its front
     FlatPolygon outline;
 };
@@ -151,15 +103,12 @@ struct Side
 std::vector<Side> sides_of(const Scene& scene)
 {
     std::vector<Side> sides;
-    const std::uint32_t cells = scene.two_sided() ? scene.patch_count() / 2 : scene.patch_count();
-    for (std::uint32_t first_cell = 0; first_cell < scene.patch_count(); first_cell += cells)
+    for (int back = 0; back < (scene.two_sided() ? 2 : 1); ++back)
         for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
             Surface shape = scene.surfaces()[s];
-            if (first_cell > 0)
+            if (back > 0)
                 std::swap(shape.edge_u, shape.edge_v);
-            sides.push_back({s, first_cell + scene.first_patch(s),
-                             static_cast<std::uint32_t>(scene.tessellation(s).cell_count()), piece_of(shape),
-                             polygon_of(shape)});
+            sides.push_back({s, scene.first_patch(s, back == 0), shape, polygon_of(shape)});
         }
     return sides;
 }
@@ -204,133 +153,96 @@ bool almost_equal(Vec3 a, Vec3 b)
     return dot(d, d) < rounding * rounding * dot(a, a);
 }
 
-/// The contribution of one grid axis to the slot.
-struct Stride
-{
-    std::size_t stride = 0; ///< per step
-    bool reversed = false;  ///< steps are counted from the last cell
-};
-
 /// Slots of the pairs of cells of two grids: the sum of a number of the cell of a and one of the cell of b.
 struct PairSlots
 {
-    std::array<Stride, 2> a; ///< per axis of grid a
-    std::array<Stride, 2> b; ///< per axis of grid b
-    std::size_t count = 1;   ///< number of slots
+    std::array<std::ptrdiff_t, 2> a{}; ///< per axis of grid a: change per step; if negative, counted from the last cell
+    std::array<std::ptrdiff_t, 2> b{}; ///< per axis of grid b
+    std::ptrdiff_t count = 1;          ///< number of slots
 };
 
 PairSlots slots_of(const std::array<GridAxis, 2>& a, const std::array<GridAxis, 2>& b)
 {
     PairSlots slots;
     for (std::size_t y = 2; y-- > 0;) {
-        slots.b[y].stride = slots.count;
-        std::size_t range = b[y].cells;
+        slots.b[y] = slots.count;
+        std::ptrdiff_t range = b[y].cells;
         for (std::size_t x = 0; x < 2; ++x) {
             const bool same = almost_equal(a[x].step, b[y].step);
-            if (slots.a[x].stride > 0 || !(same || almost_equal(-a[x].step, b[y].step)))
+            if (slots.a[x] != 0 || !(same || almost_equal(-a[x].step, b[y].step)))
                 continue;
             // For equal steps the difference of the indices matters, for opposite ones their sum.
-            slots.a[x] = {slots.count, same};
+            slots.a[x] = same ? -slots.count : slots.count;
             range += a[x].cells - 1;
             break;
         }
         slots.count *= range;
     }
     for (std::size_t x = 2; x-- > 0;)
-        if (slots.a[x].stride == 0) {
-            slots.a[x].stride = slots.count;
+        if (slots.a[x] == 0) {
+            slots.a[x] = slots.count;
             slots.count *= a[x].cells;
         }
     return slots;
 }
 
 /// For every cell of a grid its number in the sum that is the slot.
-std::vector<std::size_t> numbers_of_cells(const std::array<GridAxis, 2>& axes, const std::array<Stride, 2>& strides)
+std::vector<std::size_t> numbers_of_cells(const std::array<GridAxis, 2>& axes,
+                                          const std::array<std::ptrdiff_t, 2>& strides)
 {
     const auto along = [&](std::size_t k, std::uint32_t i) {
-        return strides[k].stride * (strides[k].reversed ? axes[k].cells - 1 - i : i);
+        return static_cast<std::size_t>(strides[k] < 0 ? -strides[k] * (axes[k].cells - 1 - i) : strides[k] * i);
     };
-    std::vector<std::size_t> slots;
-    slots.reserve(std::size_t{axes[0].cells} * axes[1].cells);
+    std::vector<std::size_t> numbers;
     for (std::uint32_t i = 0; i < axes[0].cells; ++i)
         for (std::uint32_t j = 0; j < axes[1].cells; ++j)
-            slots.push_back(along(0, i) + along(1, j));
-    return slots;
+            numbers.push_back(along(0, i) + along(1, j));
+    return numbers;
 }
 
-/// Fills the matrix for the pairs of cells of two sides.
-class SidePairs
+/// Fills in the pairs of the patches of `a`, which must have the higher numbers, and those of `b`. Computes one pair
+/// per slot and copies it to the others; of patches in one plane only the part in contact counts.
+void fill_pairs(const Scene& scene, const std::vector<FlatPiece>& pieces, double touching, const Side& a, const Side& b,
+                PairMatrix<float>& matrix)
 {
-public:
-    SidePairs(const Scene& scene, PairMatrix<float>& matrix)
-        : scene_(scene), matrix_(matrix), touching_(coplanar_distance * scene.bounds().diagonal())
-    {
-        pieces_.reserve(scene.patch_count());
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            pieces_.push_back(piece_of(scene.patch(i).shape));
-    }
-
-    double touching() const { return touching_; }
-
-    /// Fills in the pairs of `a`, whose patches must have the higher numbers, and `b`.
-    void fill(const Side& a, const Side& b)
-    {
-        const auto a_grid = grid_of(scene_, a.surface);
-        const auto b_grid = grid_of(scene_, b.surface);
-        const PairSlots slots = slots_of(a_grid, b_grid);
-        fill_slots(a, numbers_of_cells(a_grid, slots.a), b, numbers_of_cells(b_grid, slots.b), slots.count);
-        if (in_one_plane(a, b, touching_))
-            keep_contacts(a, b);
-    }
-
-private:
-    /// Leaves only the part of the exchange of patches in one plane that are in contact.
-    void keep_contacts(const Side& a, const Side& b)
-    {
-        for (std::uint32_t i = a.first_patch; i < a.first_patch + a.patch_count; ++i) {
-            float* row = matrix_.row(i);
-            for (std::uint32_t j = b.first_patch; j < b.first_patch + b.patch_count; ++j)
-                if (row[j] > 0.0f)
-                    row[j] *= static_cast<float>(share_in_contact(scene_, i, j));
+    const auto a_grid = grid_of(scene, a.surface);
+    const auto b_grid = grid_of(scene, b.surface);
+    const PairSlots slots = slots_of(a_grid, b_grid);
+    const std::vector<std::size_t> a_numbers = numbers_of_cells(a_grid, slots.a);
+    const std::vector<std::size_t> b_numbers = numbers_of_cells(b_grid, slots.b);
+    const bool coplanar = in_one_plane(a, b, touching);
+    constexpr float unknown = -1.0f;
+    std::vector<float> known(static_cast<std::size_t>(slots.count), unknown);
+    for (std::uint32_t k = 0; k < a_numbers.size(); ++k) {
+        const std::uint32_t i = a.first_patch + k;
+        float* const row = matrix.row(i);
+        for (std::uint32_t l = 0; l < b_numbers.size(); ++l) {
+            const std::uint32_t j = b.first_patch + l;
+            float& value = known[a_numbers[k] + b_numbers[l]];
+            if (value == unknown)
+                value = static_cast<float>(exchange_area(pieces[i], pieces[j], touching));
+            row[j] = value;
+            if (coplanar && value > 0.0f)
+                row[j] *= static_cast<float>(share_in_contact(scene, i, j));
         }
     }
-
-    /// Computes one pair per slot and copies it to the others.
-    void fill_slots(const Side& a, const std::vector<std::size_t>& a_number, const Side& b,
-                    const std::vector<std::size_t>& b_number, std::size_t slot_count)
-    {
-        constexpr float unknown = -1.0f;
-        std::vector<float> known(slot_count, unknown);
-        for (std::uint32_t i = 0; i < a.patch_count; ++i) {
-            float* row = matrix_.row(a.first_patch + i) + b.first_patch;
-            for (std::uint32_t j = 0; j < b.patch_count; ++j) {
-                float& value = known[a_number[i] + b_number[j]];
-                if (value == unknown)
-                    value = static_cast<float>(
-                        exchange_area(pieces_[a.first_patch + i], pieces_[b.first_patch + j], touching_));
-                row[j] = value;
-            }
-        }
-    }
-
-    const Scene& scene_;
-    PairMatrix<float>& matrix_;
-    double touching_;
-    std::vector<FlatPiece> pieces_; ///< per patch
-};
+}
 
 } // namespace
 
 PairMatrix<float> unoccluded_exchange(const Scene& scene, int threads)
 {
-    PairMatrix<float> matrix(scene.patch_count());
+    const double touching = coplanar_distance * scene.bounds().diagonal();
     const std::vector<Side> sides = sides_of(scene);
-    SidePairs pairs(scene, matrix);
+    std::vector<FlatPiece> pieces;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        pieces.push_back(scene.patch(i).shape);
+    PairMatrix<float> matrix(scene.patch_count());
     parallel_blocks(sides.size(), threads, [&](std::uint64_t number) {
         const std::uint64_t s = sides.size() - 1 - number; // long rows first
         for (std::uint64_t t = 0; t < s; ++t)
-            if (may_exchange(sides[s], sides[t], pairs.touching()))
-                pairs.fill(sides[s], sides[t]);
+            if (may_exchange(sides[s], sides[t], touching))
+                fill_pairs(scene, pieces, touching, sides[s], sides[t], matrix);
     });
     return matrix;
 }

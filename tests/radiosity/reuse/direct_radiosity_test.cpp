@@ -127,7 +127,7 @@ TEST_CASE("floors in the open get the light of the sky from however few rays, al
     for (const std::uint32_t rays : {scene.patch_count() / 5, 3 * scene.patch_count()}) {
         CAPTURE(rays);
         const auto sequence = make_sequence("sobol-owen", 1);
-        const GatheredSkylight found = gathered_skylight(scene, lights.patches(), *sequence, 0, rays, {2});
+        const GatheredSkylight found = gathered_skylight(scene, lights.patches.get(), *sequence, 0, rays, {2});
         Rgb by_own_rays;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
             if (scene.is_sky_patch(i))

@@ -48,13 +48,13 @@ TEST_CASE("pairs moved along a common step of two grids get what each would get 
         const double touching = coplanar_distance * scene.bounds().diagonal();
         double worst = 0.0;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-            const FlatPiece a = piece_of(scene.patch(i).shape);
+            const FlatPiece a = scene.patch(i).shape;
             for (std::uint32_t j = 0; j < i; ++j) {
                 if (scene.surface_of(i) == scene.surface_of(j)) {
                     worst = std::max(worst, static_cast<double>(matrix.at(i, j)));
                     continue;
                 }
-                const FlatPiece b = piece_of(scene.patch(j).shape);
+                const FlatPiece b = scene.patch(j).shape;
                 const bool in_one_plane =
                     std::abs(dot(b.centre - a.centre, a.normal)) < touching && dot(a.normal, b.normal) < -0.999999;
                 const double expected =
