@@ -218,35 +218,28 @@ struct Residual
 };
 
 /// A tree of blocks of patches, which is pruned to the fits of least risk.
-class FittedTree
+struct FittedTree
 {
-public:
-    /// `patches` are those with variance, sorted by group, then by surface. Keeps references.
-    FittedTree(const NoisyLight& light, std::vector<std::uint32_t> patches, int number, std::vector<Rgb>& radiosity,
-               std::vector<Rgb>& variance)
-        : light_(light),
-          order_(std::move(patches)),
-          shift_(0.25 + 0.5 * (number + 0.5) / tree_count),
-          radiosity_(radiosity),
-          variance_(variance)
-    {
-    }
+    const NoisyLight& light;
+    std::vector<std::uint32_t> order; ///< patches with variance, sorted by group, then by surface; later in tree order
+    double shift;                     ///< relative position of the first cuts, 0 ... 1
+    std::vector<Rgb>& radiosity;
+    std::vector<Rgb>& variance;
 
     /// Sets the radiosity and the variance of all patches that are fitted.
     void fit(int threads)
     {
         std::vector<Block> blocks;
-        const auto count = static_cast<std::uint32_t>(order_.size());
+        const auto count = static_cast<std::uint32_t>(order.size());
         for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-            const std::uint32_t group = light_.group(order_[begin]);
-            while (end < count && light_.group(order_[end]) == group)
+            const std::uint32_t group = light.group(order[begin]);
+            while (end < count && light.group(order[end]) == group)
                 ++end;
             divide({begin, end, 0}, blocks);
         }
         parallel_blocks(blocks.size(), threads, [&](std::uint64_t b) { prune(blocks[static_cast<std::size_t>(b)]); });
     }
 
-private:
     /// A range of consecutive patches in tree order.
     struct Block
     {
@@ -270,22 +263,22 @@ private:
     {
         if (block.end - block.begin <= most)
             return {};
-        const Scene& scene = light_.scene;
-        const auto first = order_.begin() + block.begin;
-        const auto last = order_.begin() + block.end;
+        const Scene& scene = light.scene;
+        const auto first = order.begin() + block.begin;
+        const auto last = order.begin() + block.end;
         const bool one = scene.surface_of(*first) == scene.surface_of(last[-1]);
         const auto place = [&](std::uint32_t i) -> const Place& {
-            return one ? light_.patches[i] : light_.surface_of(i);
+            return one ? light.patches[i] : light.surface_of(i);
         };
         Extent<Place> box(place(*first));
         std::for_each(first, last, [&](std::uint32_t i) { box.include(place(i)); });
         const std::size_t d = box.longest();
         constexpr int shifted_cuts = 2;
-        const double at = box.low[d] + (block.cuts < shifted_cuts ? shift_ : 0.5) * box.length(d);
+        const double at = box.low[d] + (block.cuts < shifted_cuts ? shift : 0.5) * box.length(d);
         if (!(at > box.low[d]))
             return {};
         const auto second = std::stable_partition(first, last, [&](std::uint32_t i) { return place(i)[d] < at; });
-        const auto middle = static_cast<std::uint32_t>(second - order_.begin());
+        const auto middle = static_cast<std::uint32_t>(second - order.begin());
         const int cuts = block.cuts + (one ? 1 : 0);
         return {{block.begin, middle, cuts}, {middle, block.end, cuts}};
     }
@@ -299,10 +292,10 @@ private:
             risk += prune(half);
         if (halves.empty())
             for (std::uint32_t k = block.begin; k < block.end; ++k)
-                risk += (price - 1.0) * light_.scene.area(order_[k]) * sum(light_.variance[order_[k]]);
+                risk += (price - 1.0) * light.scene.area(order[k]) * sum(light.variance[order[k]]);
         if (block.end - block.begin == 1)
             return risk;
-        Fit fit(light_, order_.data() + block.begin, order_.data() + block.end);
+        Fit fit(light, order.data() + block.begin, order.data() + block.end);
         for (std::size_t degree = 0; degree <= most_degree && fit.add_degree(degree); ++degree) {
             const Residual residual(fit);
             if (!(residual.risk() < risk) || !is_sound(fit, residual))
@@ -321,7 +314,7 @@ private:
         const double usual = sum(residual.noise) / fit.total_area();
         return std::all_of(fit.members().begin(), fit.members().end(), [&](const Fit::Member& m) {
             const Rgb difference = m.found - m.value;
-            return at_most(light_.scene.emittance(m.patch), m.value) &&
+            return at_most(light.scene.emittance(m.patch), m.value) &&
                    !(sum(difference * difference) > far * far * std::max(sum(m.noise), least * usual));
         });
     }
@@ -336,16 +329,10 @@ private:
         for (const Fit::Member& m : fit.members())
             noise += m.area * m.area / fit.total_area() * m.noise;
         for (const Fit::Member& m : fit.members()) {
-            radiosity_[m.patch] = m.value;
-            variance_[m.patch] = m.leverage * noise + bias;
+            radiosity[m.patch] = m.value;
+            variance[m.patch] = m.leverage * noise + bias;
         }
     }
-
-    const NoisyLight& light_;
-    std::vector<std::uint32_t> order_; ///< the patches in the order of the tree
-    const double shift_;               ///< relative position of the first cuts, 0 ... 1
-    std::vector<Rgb>& radiosity_;
-    std::vector<Rgb>& variance_;
 };
 
 /// [1] Reflectance of each patch divided by that of its material; empty without textures.
@@ -386,7 +373,7 @@ void denoise(const Scene& scene, int threads, std::vector<Rgb>& radiosity, std::
     for (int tree = 0; tree < tree_count; ++tree) {
         std::vector<Rgb> fitted = radiosity;
         std::vector<Rgb> noise = variance;
-        FittedTree(light, patches, tree, fitted, noise).fit(threads);
+        FittedTree{light, patches, 0.25 + 0.5 * (tree + 0.5) / tree_count, fitted, noise}.fit(threads);
         parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
             mean_radiosity[i] += 1.0 / tree_count * fitted[i];
             mean_variance[i] += 1.0 / tree_count * noise[i];

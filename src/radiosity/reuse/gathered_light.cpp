@@ -34,29 +34,36 @@ constexpr double enough_rays = 16.0; // of a patch, for its own estimate of the 
 constexpr std::size_t rays_at_a_time = 4096;
 
 /// Shadow rays that are traced together.
-class RaysToLights
+struct RaysToLights
 {
-public:
-    RaysToLights(const Scene& scene, const SceneLights& lights)
-        : scene_(scene), tree_(lights.tree.get()), cuts_(lights.cuts.get())
-    {
-    }
+    const Scene& scene;
+    const LightTree& tree;
+    const LightCuts& cuts;
 
-    /// Adds one ray for each item: rays number `first` and following of `rays` in total, by systematic sampling of the
-    /// clusters with an offset in [0, 1).
-    void add(std::uint32_t patch, const std::vector<Item>& items, std::uint64_t first, std::uint64_t rays,
-             double offset, ShadowRaySums& patch_sums)
+    struct Target
     {
-        const Receiver receiver = {patch, scene_.patch(patch).shape, patch_sums};
+        std::uint32_t patch; ///< patch that gathers the light
+        std::uint32_t light; ///< surface
+        bool front;          ///< side of its target that an unblocked ray meets
+        double kernel;       ///< g
+    };
+    std::vector<Item> items = {};
+    ShadowRays<Target> shadow_rays = {};
+
+    /// Adds one ray for each of the items: rays number `first` and following of `rays` in total, by systematic sampling
+    /// of the clusters with an offset in [0, 1).
+    void add(std::uint32_t patch, std::uint64_t first, std::uint64_t rays, double offset, ShadowRaySums& patch_sums)
+    {
+        const Receiver receiver = {patch, scene.patch(patch).shape, patch_sums};
         constexpr double below_one = 0x1.fffffffffffffp-1;
-        const double step = cuts_.irradiance(patch) / static_cast<double>(rays);
-        const SeenCluster* cluster = cuts_.begin(patch);
+        const double step = cuts.irradiance(patch) / static_cast<double>(rays);
+        const SeenCluster* cluster = cuts.begin(patch);
         double begin = 0.0; // of the cluster, in the cumulative irradiance
         double number = static_cast<double>(first) + offset;
         patch_sums.rays += static_cast<double>(items.size());
         for (std::size_t k = 0; k < items.size(); ++k, number += 1.0) {
             const double at = number * step;
-            while (cluster + 1 < cuts_.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
+            while (cluster + 1 < cuts.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
             const double x = std::clamp((at - begin) / static_cast<double>(cluster->irradiance), 0.0, below_one);
             add_ray(receiver, *cluster, x, items[k], true);
@@ -65,28 +72,17 @@ public:
         }
     }
 
-    std::size_t size() const { return shadow_rays_.size(); }
-
     void trace(std::vector<ShadowRaySums>& sums)
     {
-        shadow_rays_.trace(scene_, [&](const Target& target, const Hit& hit) {
+        shadow_rays.trace(scene, [&](const Target& target, const Hit& hit) {
             if (hit.front != target.front)
                 return;
             ShadowRaySums& patch_sums = sums[target.patch];
-            const Rgb emittance = scene_.emittance(scene_.first_patch(target.light));
+            const Rgb emittance = scene.emittance(scene.first_patch(target.light));
             patch_sums.free += 1.0;
             patch_sums.light += (target.kernel / mean(emittance)) * emittance;
         });
     }
-
-private:
-    struct Target
-    {
-        std::uint32_t patch; ///< patch that gathers the light
-        std::uint32_t light; ///< surface
-        bool front;          ///< side of its target that an unblocked ray meets
-        double kernel;       ///< g
-    };
 
     struct Receiver
     {
@@ -117,18 +113,18 @@ private:
     {
         const auto& [patch, piece, patch_sums] = receiver;
         const auto assumed = static_cast<double>(seen.irradiance);
-        const std::uint32_t leaf = tree_.choose(seen.node, x);
-        const LightTree::Cluster& light = tree_.cluster(leaf);
-        const std::uint32_t surface = tree_.surface(leaf);
+        const std::uint32_t leaf = tree.choose(seen.node, x);
+        const LightTree::Cluster& light = tree.cluster(leaf);
+        const std::uint32_t surface = tree.surface(leaf);
         Target target{patch, surface, true, 0.0};
-        std::uint32_t from = scene_.surface_of(patch);
+        std::uint32_t from = scene.surface_of(patch);
         std::uint32_t to = surface;
         Line line;
         if (leaf == seen.node && LightCuts::is_near(light, piece, single_angle)) {
-            const Patch dark = scene_.patch(patch);
-            const Patch bright = {surface, tree_.piece(leaf).surface};
+            const Patch dark = scene.patch(patch);
+            const Patch bright = {surface, tree.piece(leaf).surface};
             const bool from_dark = piece.area <= light.area;
-            const RayPair pair(scene_, from_dark ? dark : bright, from_dark ? bright : dark);
+            const RayPair pair(scene, from_dark ? dark : bright, from_dark ? bright : dark);
             const RayPair::Ray ray = pair.ray(item);
             const double exchange = assumed * piece.area * light.area / light.power;
             target = {patch, surface, pair.to_front(), ray.weight / pair.mean_weight(exchange)};
@@ -137,11 +133,11 @@ private:
             line = ray.line;
         } else {
             const Vec3 start = square_to_uniform_surface(piece.surface, item[0], item[1]);
-            const Vec3 d = square_to_uniform_surface(tree_.piece(leaf).surface, item[2], item[3]) - start;
+            const Vec3 d = square_to_uniform_surface(tree.piece(leaf).surface, item[2], item[3]) - start;
             const double square = dot(d, d);
             const double cosines =
-                std::max(0.0, dot(piece.normal, d)) * std::max(0.0, -dot(tree_.piece(leaf).normal, d));
-            target.kernel = cosines / (pi * square * square) * tree_.cluster(seen.node).power / assumed;
+                std::max(0.0, dot(piece.normal, d)) * std::max(0.0, -dot(tree.piece(leaf).normal, d));
+            target.kernel = cosines / (pi * square * square) * tree.cluster(seen.node).power / assumed;
             line = {start, d};
             if (leaf != seen.node && planned) {
                 patch_sums.error += target.kernel - 1.0;
@@ -150,13 +146,8 @@ private:
         }
         patch_sums.kernel += target.kernel;
         if (target.kernel > 0.0)
-            shadow_rays_.add(from, to, line, target);
+            shadow_rays.add(from, to, line, target);
     }
-
-    const Scene& scene_;
-    const LightTree& tree_;
-    const LightCuts& cuts_;
-    ShadowRays<Target> shadow_rays_;
 };
 
 /// Shrinkage factor (empirical Bayes) for the mean of errors that are typically about `typical`.
@@ -187,26 +178,21 @@ void GatheredLight::cast(const Allotment& rays, const Sequence& sequence, std::u
 {
     const Blocks patches = blocks(scene_.patch_count());
     const std::uint64_t key = bits_from(sequence.item(first_item));
-    struct Buffer
-    {
-        RaysToLights rays;
-        std::vector<Item> items;
-    };
-    BlockBuffers<Buffer> buffers(run.threads, {RaysToLights(scene_, lights_), {}});
+    BlockBuffers<RaysToLights> buffers(run.threads, {scene_, lights_.tree.get(), cuts_});
     const auto look = [&](std::uint64_t block, int slot) {
-        Buffer& buffer = buffers[slot];
+        RaysToLights& buffer = buffers[slot];
         for (auto i = static_cast<std::uint32_t>(patches.first(block)); i < patches.first(block + 1); ++i) {
             const std::uint64_t count = rays.rays_of(i);
             const double offset = bits_to_unit(random_bits(key, i));
             for (std::uint64_t first = 0; first < count; first += buffer.items.size()) {
                 buffer.items.resize(static_cast<std::size_t>(std::min<std::uint64_t>(rays_at_a_time, count - first)));
                 sequence.generate(first_item + rays.first_ray(i) + first, buffer.items);
-                buffer.rays.add(i, buffer.items, first, count, offset, sums_[i]);
-                if (buffer.rays.size() >= rays_at_a_time)
-                    buffer.rays.trace(sums_);
+                buffer.add(i, first, count, offset, sums_[i]);
+                if (buffer.shadow_rays.size() >= rays_at_a_time)
+                    buffer.trace(sums_);
             }
         }
-        buffer.rays.trace(sums_);
+        buffer.trace(sums_);
     };
     const auto report = [&](std::uint64_t block, int) {
         run.count_lines(rays.first_ray(static_cast<std::uint32_t>(patches.first(block + 1))) -
@@ -325,7 +311,6 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
     // Smooth shadows look better than noise; of very many patches the eye averages several.
     const double rays = std::clamp(64.0 * n, 262144.0, std::max(4194304.0, 4.0 * n));
     std::uint64_t item = 0;
-    std::vector<double> expected(n);
     for (const double share : {0.25, 0.75}) {
         std::vector<double> importance = share == 0.25 ? std::vector<double>(n, 1.0) : light.deviations();
         double sum = 0.0;
@@ -333,9 +318,9 @@ std::vector<Rgb> direct_radiosity(const Scene& scene, int threads)
             importance[i] *= light.unoccluded(i) > 0.0 ? std::sqrt(scene.area(i)) : 0.0;
             sum += importance[i];
         }
-        for (std::uint32_t i = 0; i < n; ++i)
-            expected[i] = sum > 0.0 ? share * rays * importance[i] / sum : 0.0;
-        const Allotment allotment(expected, 0.5);
+        for (double& expected : importance)
+            expected = quotient(share * rays * expected, sum);
+        const Allotment allotment(importance, 0.5);
         ShardRange range = ShardRange::of(GatheredLight::blocks(n).count(), {});
         light.cast(allotment, *sequence, item, range, {threads});
         item += allotment.rays();

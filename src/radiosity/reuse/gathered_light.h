@@ -21,7 +21,7 @@ struct SceneLights
 {
     SceneLights(const Scene& scene, int threads);
 
-    int threads;
+    int threads; ///< on which they are built
     std::shared_future<LightTree> tree;
     std::shared_future<LightCuts> cuts;
     std::shared_future<SurfaceTree> patches;

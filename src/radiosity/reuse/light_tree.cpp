@@ -22,21 +22,6 @@ struct PlacedSurface
     std::uint32_t surface;
 };
 
-std::vector<PlacedSurface> placed_surfaces(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape,
-                                           double diagonal)
-{
-    constexpr double turn = 0.05; // scale of the normals, as a fraction of the diagonal
-    std::vector<PlacedSurface> result = vector_with_capacity<PlacedSurface>(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Surface surface = shape(i);
-        const Place place = place_of(surface.centre(), turn * diagonal * surface.normal());
-        result.push_back({{}, i});
-        std::transform(place.begin(), place.end(), result.back().at.begin(),
-                       [](double x) { return static_cast<float>(x); });
-    }
-    return result;
-}
-
 /// Splits the range at the middle of its longest extent, or at the median if one side would be nearly empty. Returns
 /// the first element of the second part.
 PlacedSurface* split(PlacedSurface* first, PlacedSurface* last)
@@ -62,7 +47,15 @@ PlacedSurface* split(PlacedSurface* first, PlacedSurface* last)
 SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::uint32_t)>& shape, double diagonal,
                          std::uint32_t most_of_leaf)
 {
-    std::vector<PlacedSurface> placed = placed_surfaces(count, shape, diagonal);
+    constexpr double turn = 0.05; // scale of the normals, as a fraction of the diagonal
+    std::vector<PlacedSurface> placed = vector_with_capacity<PlacedSurface>(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Surface surface = shape(i);
+        const Place place = place_of(surface.centre(), turn * diagonal * surface.normal());
+        placed.push_back({{}, i});
+        std::transform(place.begin(), place.end(), placed.back().at.begin(),
+                       [](double x) { return static_cast<float>(x); });
+    }
     nodes_.push_back({0, count, 0, 0});
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
         const Node node = nodes_[k];
@@ -132,18 +125,12 @@ std::vector<std::uint32_t> lamps(const Scene& scene)
 
 LightTree::Cluster cluster_of(const FlatPiece& piece, double emittance)
 {
-    LightTree::Cluster result;
     const Vec3 n = piece.normal;
-    result.centre = piece.centre;
-    result.radius = piece.radius;
-    result.bounds = piece.surface.bounds();
-    result.area = piece.area;
-    result.power = piece.area * emittance;
-    result.area_vector = piece.area * n;
-    result.second_moment = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
-    for (double& moment : result.second_moment)
+    std::array<double, 6> second_moment = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
+    for (double& moment : second_moment)
         moment *= piece.area;
-    return result;
+    return {piece.centre,           piece.radius,   piece.surface.bounds(), piece.area,
+            piece.area * emittance, piece.area * n, second_moment};
 }
 
 /// The union of two clusters, without its radius.
@@ -240,13 +227,6 @@ HeightRange heights_above(const FlatPiece& patch, const Bounds& bounds)
     return {middle - extent, middle + extent};
 }
 
-/// Height of the centre of a light above the plane. If the plane cuts the light, at least about that of
-/// the centre of the part above.
-double seen_above(double height, HeightRange range)
-{
-    return range.low < 0.0 ? std::max(height, 0.25 * range.high) : height;
-}
-
 } // namespace
 
 struct LightCuts::CutFinder
@@ -281,7 +261,9 @@ struct LightCuts::CutFinder
                 irradiance = leaf_irradiance(patch, receiver, node, cut.contact);
             } else if (above.high > touching) {
                 const double distance = length(d);
-                const double rise = seen_above(dot(receiver.normal, d), above);
+                const double height = dot(receiver.normal, d);
+                // If the plane cuts the light, at least about the height of the centre of the part above.
+                const double rise = above.low < 0.0 ? std::max(height, 0.25 * above.high) : height;
                 const double facing = light.projected_area((-1.0 / distance) * d);
                 irradiance = rise * facing / (pi * distance * distance * distance) * light.power / light.area;
             }

@@ -8,7 +8,6 @@
 #include "radiosity/reuse/exchange_solver.h"
 #include "transport/exchange/dense_exchange.h"
 #include "transport/exchange/exchange_estimate.h"
-#include "transport/exchange/pair_rays.h"
 #include "transport/exchange/symmetric_product.h"
 
 #include <algorithm>
@@ -219,15 +218,15 @@ std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatri
         counted.estimate = estimate_exchange(scene, unoccluded.get(), counts, area, run.threads);
         counted.losses = losses(scene, counts, row_sums(unoccluded.get(), run.threads),
                                 row_sums(counted.estimate.exchange, run.threads), counted.variance_of_losses);
-        counted.first_guess = plan.rays > 0
+        counted.first_guess = plan.rays.rays > 0
                                   ? rough_radiosity(counted.estimate.exchange, counted.losses, rho, source, run.threads)
                                   : source;
     }
     const std::uint64_t lines_cast = counted.lines;
     const double crossing_area = crossing_area_of(lines_cast);
-    if (plan.rays > 0 && !run.stopped())
+    if (plan.rays.rays > 0 && !run.stopped())
         refine_by_rays(counted.estimate, scene, unoccluded.get(), crossing_area, counted.first_guess, sequence,
-                       {plan.first_ray_item, plan.rays, plan.seed}, run);
+                       plan.rays, run);
     if (run.stopped() && run.is_shard())
         return lines_cast;
     close_rows(scene, unoccluded.get(), run.threads, counted);

@@ -4,6 +4,7 @@
 #include "radiosity/paper/power_state.h"
 #include "sampling/sequence.h"
 #include "transport/exchange/pair_counts.h"
+#include "transport/exchange/pair_rays.h"
 #include "transport/lines/global_lines.h"
 
 #include <cstdint>
@@ -16,9 +17,7 @@ struct ReusedLines
 {
     std::uint64_t first_line_item = 0; ///< index in the sequence of the first global line's item
     std::uint64_t cast = 0;            ///< number of global lines; below 2^32
-    std::uint64_t first_ray_item = 0;  ///< index in the sequence of the first ray's item
-    std::uint64_t rays = 0;            ///< number of rays between pairs of patches
-    std::uint64_t seed = 0;            ///< seed for rounding expected numbers of rays to whole ones
+    PairRays rays;                     ///< rays between pairs of patches
 };
 
 /// Number of lines, 4 per patch, from which reuse_lines() is to be preferred to particles: it knows what patches

@@ -73,7 +73,8 @@ void reuse_pairs(Run& run)
     const std::uint64_t first_ray = run.first_local_item();
     run.solution.local_lines += rays;
     run.plan_global_lines();
-    const ReusedLines plan{run.first_global_item(), run.solution.global_lines_cast, first_ray, rays, run.options.seed};
+    const ReusedLines plan{
+        run.first_global_item(), run.solution.global_lines_cast, {first_ray, rays, run.options.seed}};
     run.note_cast(reuse_lines(run.scene, run.preparation.unoccluded, run.lines, *run.sequence, plan,
                               run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
                               run.state)); // (R1)

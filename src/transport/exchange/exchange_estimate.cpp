@@ -104,16 +104,16 @@ std::vector<std::uint32_t> parent_blocks(const PatchBlocks& fine, const PatchBlo
 /// Calls visit(i, j) for every patch i and all patches j of the sides before its own; patches of one side never see
 /// each other. Sides run in parallel.
 template <class Visit>
-void for_pairs_of_surfaces(const PatchBlocks& sides, int threads, const Visit& visit)
+void for_pairs_of_surfaces(const Scene& scene, int threads, const Visit& visit)
 {
-    const auto patches = static_cast<std::uint32_t>(sides.block_of.size());
-    std::vector<std::uint32_t> first(sides.count + std::size_t{1}, patches); // patch of every side
-    for (std::uint32_t i = patches; i-- > 0;)
-        first[sides.block_of[i]] = i;
-    parallel_blocks(sides.count, threads, [&](std::uint64_t number) {
-        const std::uint64_t side = sides.count - 1 - number; // long rows first
-        for (std::uint32_t i = first[side]; i < first[side + 1]; ++i)
-            for (std::uint32_t j = 0; j < first[side]; ++j)
+    const std::uint64_t surfaces = scene.surfaces().size();
+    const std::uint64_t sides = scene.two_sided() ? 2 * surfaces : surfaces;
+    parallel_blocks(sides, threads, [&](std::uint64_t number) {
+        const std::uint64_t side = sides - 1 - number; // long rows first
+        const auto surface = static_cast<std::uint32_t>(side % surfaces);
+        const std::uint32_t first = scene.first_patch(surface, side < surfaces);
+        for (std::uint32_t i = first; i < first + scene.tessellation(surface).cell_count(); ++i)
+            for (std::uint32_t j = 0; j < first; ++j)
                 visit(i, j);
     });
 }
@@ -217,23 +217,21 @@ ExchangeEstimate estimate_exchange(const Scene& scene, const PairMatrix<float>& 
 {
     const std::uint32_t n = scene.patch_count();
     BlockLevel fine(patch_blocks(scene, fine_cells));
-    const PatchBlocks sides = surface_blocks(scene);
-    for_pairs_of_surfaces(sides, threads, [&](std::uint32_t i, std::uint32_t j) {
+    for_pairs_of_surfaces(scene, threads, [&](std::uint32_t i, std::uint32_t j) {
         const PairCount& count = counts.pairs.at(i, j);
         if (count.through > 0)
             fine.counts.at(fine.blocks.block_of[i], fine.blocks.block_of[j]) +=
                 {static_cast<double>(count.joined), static_cast<double>(count.through)};
     });
     const BlockLevel middle(patch_blocks(scene, middle_cells), fine);
-    const BlockLevel coarse(sides, middle);
+    const BlockLevel coarse(surface_blocks(scene), middle);
     const PairMatrix<double> share = shrunk_shares(fine, middle, coarse);
 
-    std::vector<double> trusted(n);
-    for (std::uint32_t i = 0; i < n; ++i)
-        trusted[i] = trust(scene.area(i) / crossing_area);
+    const std::vector<double> trusted =
+        parallel_list(n, threads, [&](std::uint32_t i) { return trust(scene.area(i) / crossing_area); });
 
     ExchangeEstimate estimate{PairMatrix<float>(n), PairMatrix<float>(n)};
-    for_pairs_of_surfaces(sides, threads, [&](std::uint32_t i, std::uint32_t j) {
+    for_pairs_of_surfaces(scene, threads, [&](std::uint32_t i, std::uint32_t j) {
         const double free_exchange = static_cast<double>(unoccluded.at(i, j));
         if (!(free_exchange > 0.0))
             return;

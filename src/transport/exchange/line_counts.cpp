@@ -191,12 +191,7 @@ void count_rays(const Scene& scene, const Allotment& rays, const Sequence& seque
     constexpr std::uint64_t merges_per_doubling = 8;
     const Blocks blocks = ray_blocks(rays);
     const bool has_sky = scene.file().sky_surfaces > 0;
-    struct CountedRays
-    {
-        RayBlock rays;
-        std::vector<Segment> segments;
-    };
-    BlockBuffers<CountedRays> buffers(run.threads);
+    BlockBuffers<std::pair<RayBlock, std::vector<Segment>>> buffers(run.threads);
     const auto trace = [&](std::uint64_t block, int slot) {
         auto& [traced, segments] = buffers[slot];
         traced.items.resize(blocks.length(block));

@@ -51,22 +51,16 @@ RayPair::RayPair(const Scene& scene, const Patch& from, const Patch& to) : from_
 RayPair::Ray RayPair::ray(const Item& item) const
 {
     const Vec3 start = square_to_uniform_surface(from_.shape, item[0], item[1]);
-    return near_ ? into_solid_angle(start, item[2], item[3]) : towards_point(start, item[2], item[3]);
-}
-
-RayPair::Ray RayPair::towards_point(Vec3 start, double u, double v) const
-{
-    const Vec3 d = square_to_uniform_surface(to_.shape, u, v) - start;
-    const double leaving = dot(from_normal_, d);
-    const double arriving = -dot(to_normal_, d);
-    if (leaving <= 0.0 || arriving <= 0.0)
-        return {{start, d}, 0.0};
-    const double square = dot(d, d);
-    return {{start, d}, leaving * arriving / (square * square)};
-}
-
-RayPair::Ray RayPair::into_solid_angle(Vec3 start, double u, double v) const
-{
+    const double u = item[2];
+    const double v = item[3];
+    if (!near_) {
+        const Vec3 d = square_to_uniform_surface(to_.shape, u, v) - start;
+        const double leaving = dot(from_normal_, d);
+        const double arriving = -dot(to_normal_, d);
+        const double square = dot(d, d);
+        const double weight = leaving > 0.0 && arriving > 0.0 ? leaving * arriving / (square * square) : 0.0;
+        return {{start, d}, weight};
+    }
     if (!(dot(to_normal_, start - to_.shape.origin) > 0.0))
         return {{start, to_normal_}, 0.0};
     const auto corner = [&](double a, double b) { return normalized(to_.shape.at(a, b) - start); };

@@ -45,9 +45,6 @@ public:
     bool to_front() const { return to_front_; }
 
 private:
-    Ray towards_point(Vec3 start, double u, double v) const;
-    Ray into_solid_angle(Vec3 start, double u, double v) const;
-
     Patch from_;
     Patch to_;
     bool to_front_;

@@ -162,22 +162,16 @@ void SparseExchange::correct_losses(const std::vector<std::uint32_t>& side, cons
 /// [m^2] Exchange area of patch i with all patches after step 1.
 double SparseExchange::joined(std::uint32_t i) const
 {
-    const auto density = static_cast<double>(factors_[i].density);
     double sum = 0.0;
-    for (const std::uint32_t j : counts_.row(i)) {
-        const Factors& other = factors_[j];
-        sum += static_cast<double>(other.scale) / (density + static_cast<double>(other.density));
-    }
-    return unit_ * static_cast<double>(factors_[i].scale) * sum;
+    for (const std::uint32_t j : counts_.row(i))
+        sum += scale(j) / (density(i) + density(j));
+    return unit_ * scale(i) * sum;
 }
 
 /// [m^2] Exchange area of patch i with no patch after step 1.
 double SparseExchange::lost(std::uint32_t i) const
 {
-    const Factors& own = factors_[i];
-    return lost_rays_[i] > 0.0
-               ? unit_ * static_cast<double>(own.scale) * lost_rays_[i] / static_cast<double>(own.density)
-               : 0.0;
+    return lost_rays_[i] > 0.0 ? unit_ * scale(i) * lost_rays_[i] / density(i) : 0.0;
 }
 
 /// Step 1: finds the densities D with which all rays of each patch have the exchange area `wanted` [m^2]. Where there
@@ -193,7 +187,6 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
     constexpr double small_error = 2e-7;   // [1] share of the area
     constexpr double most_change = 1024.0; // of a density, within the range of single precision
     constexpr double most_of_step = 4.0;
-    const auto density = [&](std::uint32_t i) { return static_cast<double>(factors_[i].density); };
     const std::vector<float> cast = parallel_list(size(), threads, [&](std::uint32_t i) {
         factors_[i].scale = 1.0f;
         return factors_[i].density;
@@ -271,19 +264,19 @@ std::vector<Rgb> SparseExchange::apply_rays(const std::vector<Rgb>& x, int threa
         float density;
     };
     const std::vector<Sender> senders = parallel_list(size(), threads, [&](std::uint32_t i) {
-        const Rgb light = to_single * static_cast<double>(factors_[i].scale) * x[i];
+        const Rgb light = to_single * scale(i) * x[i];
         return Sender{static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b),
                       factors_[i].density};
     });
     return parallel_list(size(), threads, [&](std::uint32_t i) {
-        const auto density = static_cast<double>(factors_[i].density);
+        const double own = density(i);
         Rgb sum;
         for (const std::uint32_t j : counts_.row(i)) {
             const Sender& sender = senders[j];
-            sum += (1.0 / (density + static_cast<double>(sender.density))) *
+            sum += (1.0 / (own + static_cast<double>(sender.density))) *
                    Rgb{static_cast<double>(sender.r), static_cast<double>(sender.g), static_cast<double>(sender.b)};
         }
-        return unit_of_light * unit_ * static_cast<double>(factors_[i].scale) * sum;
+        return unit_of_light * unit_ * scale(i) * sum;
     });
 }
 
@@ -310,12 +303,8 @@ SparseExchange::Returns SparseExchange::returns(const std::vector<Rgb>& radiosit
 {
     const Rgb sky = light_of_sky(radiosity);
     const auto for_joined = [&](std::uint32_t i, const auto& take) { // with their G [m^2]
-        const Factors& own = factors_[i];
-        for (const std::uint32_t j : counts_.row(i)) {
-            const Factors& other = factors_[j];
-            const auto densities = static_cast<double>(own.density) + static_cast<double>(other.density);
-            take(j, unit_ * static_cast<double>(own.scale) * static_cast<double>(other.scale) / densities);
-        }
+        for (const std::uint32_t j : counts_.row(i))
+            take(j, unit_ * scale(i) * scale(j) / (density(i) + density(j)));
     };
     const std::vector<SentBack> senders = parallel_list(size(), threads, [&](std::uint32_t i) -> SentBack {
         SumsOverRays sums;

@@ -95,6 +95,8 @@ private:
 
     bool is_sky(std::uint32_t patch) const { return std::find(sky_.begin(), sky_.end(), patch) != sky_.end(); }
     bool loses(std::uint32_t patch) const { return !space_.empty() && loses_[space_[patch]]; }
+    double density(std::uint32_t patch) const { return static_cast<double>(factors_[patch].density); }
+    double scale(std::uint32_t patch) const { return static_cast<double>(factors_[patch].scale); }
     /// Rays of the patch that met no patch.
     double rays_lost(std::uint32_t patch) const
     {
