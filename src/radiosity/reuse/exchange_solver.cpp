@@ -52,9 +52,10 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
     Field y = std::move(first_guess);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = quotient(y[i] - source[i], rho_root[i]);
-    const Field image = matrix(y);
+    Field image = matrix(y);
     for (std::uint32_t i = 0; i < n; ++i)
         residual[i] = residual[i] - image[i];
+    Field().swap(image); // frees its memory
     const auto done = [&](const Field&, Rgb left) { return at_most(left, wanted); };
     const bool converged =
         positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, threads, y);
