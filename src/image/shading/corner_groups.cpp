@@ -18,16 +18,15 @@ Rgb blend(double share, Rgb a, Rgb b)
 
 } // namespace
 
-std::array<std::optional<CellCorner>, 6> CornerLattice::around(std::uint32_t i, std::uint32_t j) const
+std::vector<std::optional<CellCorner>> CornerLattice::around(GridPoint corner) const
 {
-    const std::int64_t x = i;
-    const std::int64_t y = j;
-    const GridPoint here = {i, j};
+    const std::int64_t x = corner.i;
+    const std::int64_t y = corner.j;
+    const auto cell = [&](std::int64_t i, std::int64_t j, bool upper) { return cell_at(i, j, upper, corner); };
     if (!triangle())
-        return {cell_at(x - 1, y - 1, false, here), cell_at(x, y - 1, false, here), cell_at(x, y, false, here),
-                cell_at(x - 1, y, false, here)};
-    return {cell_at(x, y, false, here),        cell_at(x - 1, y, true, here),  cell_at(x - 1, y, false, here),
-            cell_at(x - 1, y - 1, true, here), cell_at(x, y - 1, false, here), cell_at(x, y - 1, true, here)};
+        return {cell(x - 1, y - 1, false), cell(x, y - 1, false), cell(x, y, false), cell(x - 1, y, false)};
+    return {cell(x, y, false),        cell(x - 1, y, true),  cell(x - 1, y, false),
+            cell(x - 1, y - 1, true), cell(x, y - 1, false), cell(x, y - 1, true)};
 }
 
 /// The cell that contains square (i, j) of the grid, or in a triangle its lower or upper half; nothing beyond the
@@ -48,19 +47,18 @@ std::optional<CellCorner> CornerLattice::cell_at(std::int64_t i, std::int64_t j,
     return CellCorner{cell, number < corners.count ? number : CellCorner::on_edge};
 }
 
-std::vector<GridPoint> CornerLattice::points(std::uint32_t first_row, std::uint32_t end_row) const
+std::vector<GridPoint> CornerLattice::points() const
 {
     std::vector<GridPoint> result;
     if (!tessellation_.trees) {
-        for (std::uint32_t j = first_row; j < end_row; ++j)
-            for (std::uint32_t i = 0; i <= last_column(j); ++i)
+        for (std::uint32_t j = 0; j <= tessellation_.grid_v(); ++j)
+            for (std::uint32_t i = 0; i <= tessellation_.grid_u() - (triangle() ? j : 0); ++i)
                 result.push_back({i, j});
         return result;
     }
     for (std::uint32_t cell = 0; cell < tessellation_.cell_count(); ++cell)
         for (const GridPoint point : tessellation_.corners(cell))
-            if (point.j >= first_row && point.j < end_row)
-                result.push_back(point);
+            result.push_back(point);
     const auto before = [](GridPoint a, GridPoint b) { return a.j < b.j || (a.j == b.j && a.i < b.i); };
     const auto same = [](GridPoint a, GridPoint b) { return a.j == b.j && a.i == b.i; };
     std::sort(result.begin(), result.end(), before);
@@ -93,45 +91,47 @@ public:
           slopes_(slopes),
           scene_(patches.scene()),
           surface_(surface),
+          front_(front),
           first_patch_(scene_.first_patch(surface, front)),
           normal_(front ? scene_.surfaces()[surface].normal() : -scene_.surfaces()[surface].normal()),
           lattice_(scene_.tessellation(surface))
     {
     }
 
-    std::vector<CornerGroup> groups(std::uint32_t first_row, std::uint32_t end_row, bool with_points) const
+    std::vector<CornerGroup> groups() const
     {
         std::vector<CornerGroup> result;
-        for (const GridPoint point : lattice_.points(first_row, end_row))
-            append_groups(point.i, point.j, with_points, result);
+        for (const GridPoint point : lattice_.points())
+            append_groups(point, result);
         return result;
     }
 
 private:
-    void append_groups(std::uint32_t i, std::uint32_t j, bool with_points, std::vector<CornerGroup>& groups) const
+    void append_groups(GridPoint place, std::vector<CornerGroup>& groups) const
     {
         const std::size_t before = groups.size();
-        const Vec3 corner = scene_.surfaces()[surface_].at(lattice_.u(i), lattice_.v(j));
-        const std::size_t count = lattice_.most_around();
-        const CellRing ring = ring_around(lattice_.around(i, j), corner);
+        const Vec3 corner = scene_.surfaces()[surface_].at(lattice_.u(place), lattice_.v(place));
+        const std::vector<RingCell> ring = ring_around(place, corner);
+        const std::size_t count = ring.size();
         // The first group starts after a gap between cells, if there is one; every further gap starts another group.
         std::size_t start = 0;
-        while (start < count && ring.joined[(start + count - 1) % count])
+        while (start < count && ring[(start + count - 1) % count].joined)
             ++start;
-        const bool whole = std::all_of(ring.cells.begin(), ring.cells.begin() + static_cast<std::ptrdiff_t>(count),
-                                       [](const auto& cell) { return cell.has_value(); });
+        const bool on_border = std::any_of(ring.begin(), ring.end(), [](const RingCell& cell) { return !cell.cell; });
         for (std::size_t step = 0; step < count; ++step) {
-            const std::size_t k = (start + step) % count;
-            if (!ring.cells[k])
+            const RingCell& here = ring[(start + step) % count];
+            if (!here.cell)
                 continue;
-            if (step == 0 || !ring.joined[(k + count - 1) % count])
-                groups.push_back({surface_, normal_, corner, {}, {}, 0.0, {}, !whole, {}});
-            if (ring.cells[k]->number == CellCorner::on_edge)
-                add_hanging_node(ring.cells[k]->cell, {i, j}, groups.back());
+            if (step == 0 || !ring[(start + step + count - 1) % count].joined)
+                groups.push_back({surface_, front_, normal_, corner, {}, {}, 0.0, on_border, {}, {}});
+            if (here.cell->number == CellCorner::on_edge)
+                groups.back().edge = edge_through(here.cell->cell, place);
             else
-                add(ring, k, groups.back());
-            if (!whole || with_points)
-                add_points(ring, k, groups.back());
+                add(*here.cell, groups.back());
+            if (on_border)
+                for (const std::optional<OpenPoint>& point : {here.point, open_point(*here.cell, centre(*here.cell))})
+                    if (point)
+                        groups.back().points.push_back(*point);
         }
         const auto of_edge_only = [](const CornerGroup& group) { return group.slots.empty(); };
         groups.erase(std::remove_if(groups.begin() + static_cast<std::ptrdiff_t>(before), groups.end(), of_edge_only),
@@ -154,35 +154,31 @@ private:
                 group->value = 1.0 / weight * sum;
     }
 
-    /// The cells around a corner, counter-clockwise.
-    struct CellRing
+    /// One of the cells around a corner.
+    struct RingCell
     {
-        std::array<std::optional<CellCorner>, 6> cells;
-        std::array<std::optional<OpenPoint>, 6> points; ///< an uncovered point of each cell near the corner
-        std::array<bool, 6> joined{};                   ///< true if the cell is joined to the next one
+        std::optional<CellCorner> cell;
+        std::optional<OpenPoint> point; ///< an uncovered point of the cell near the corner
+        bool joined = false;            ///< true if the cell is joined to the next one
     };
 
-    CellRing ring_around(const std::array<std::optional<CellCorner>, 6>& cells, Vec3 corner) const
+    std::vector<RingCell> ring_around(GridPoint place, Vec3 corner) const
     {
-        CellRing ring{cells, {}, {}};
-        const std::size_t count = lattice_.most_around();
-        for (std::size_t k = 0; k < count; ++k)
-            if (cells[k])
-                ring.points[k] = open_point(*cells[k], corner);
-        for (std::size_t k = 0; k < count; ++k)
-            if (cells[k] && cells[(k + 1) % count])
-                ring.joined[k] = is_joined(ring, k, (k + 1) % count);
+        std::vector<RingCell> ring;
+        for (const std::optional<CellCorner>& cell : lattice_.around(place))
+            ring.push_back({cell, cell ? open_point(*cell, corner) : std::nullopt});
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            ring[k].joined = is_joined(ring[k], ring[(k + 1) % ring.size()]);
         return ring;
     }
 
     /// True if two neighbouring cells are not separated at the corner, or not at the middle between them: a wall
     /// separates them along the whole edge, the leg of a table does not.
-    bool is_joined(const CellRing& ring, std::size_t one, std::size_t other) const
+    bool is_joined(const RingCell& from, const RingCell& to) const
     {
-        const std::optional<OpenPoint>& from = ring.points[one];
-        const std::optional<OpenPoint>& to = ring.points[other];
-        return (from && to && !occluded_between(scene_, *from, *to)) ||
-               patches_.are_joined(first_patch_ + ring.cells[one]->cell, first_patch_ + ring.cells[other]->cell);
+        return from.cell && to.cell &&
+               ((from.point && to.point && !occluded_between(scene_, *from.point, *to.point)) ||
+                patches_.are_joined(first_patch_ + from.cell->cell, first_patch_ + to.cell->cell));
     }
 
     Vec3 centre(CellCorner cell) const { return scene_.patch(first_patch_ + cell.cell).shape.centre(); }
@@ -195,9 +191,9 @@ private:
 
     /// Adds a cell to the group's mean, weighted by its open share: the value of its linear function at the corner, at
     /// least 0.
-    void add(const CellRing& ring, std::size_t k, CornerGroup& group) const
+    void add(CellCorner corner, CornerGroup& group) const
     {
-        const auto [cell, number] = *ring.cells[k];
+        const auto [cell, number] = corner;
         const std::uint32_t patch = first_patch_ + cell;
         const double weight = patches_.open_share(patch);
         const Rgb estimate = patches_.value(patch) + slopes_[patch].at_corner(number, scene_.corners(patch).count);
@@ -210,17 +206,9 @@ private:
         group.slots.push_back(CornerLattice::per_cell * patch + number);
     }
 
-    /// Adds the points from which connections to other surfaces are tested.
-    void add_points(const CellRing& ring, std::size_t k, CornerGroup& group) const
-    {
-        for (const std::optional<OpenPoint>& point :
-             {ring.points[k], open_point(*ring.cells[k], centre(*ring.cells[k]))})
-            if (point)
-                group.points.push_back(*point);
-    }
-
-    /// A corner lies on an edge of at most one larger cell, which covers all of one side.
-    void add_hanging_node(std::uint32_t cell, GridPoint here, CornerGroup& group) const
+    /// The edge of a cell on which a hanging node lies. It lies on an edge of at most one larger cell, which covers all
+    /// of one side.
+    std::optional<CornerGroup::Edge> edge_through(std::uint32_t cell, GridPoint here) const
     {
         const Tessellation& cut = scene_.tessellation(surface_);
         const CellCorners corners = cut.corners(cell);
@@ -233,14 +221,16 @@ private:
             const double share = b.i != a.i ? difference(here.i, a.i) / difference(b.i, a.i)
                                             : difference(here.j, a.j) / difference(b.j, a.j);
             const std::size_t first = CornerLattice::per_cell * (first_patch_ + std::size_t{cell});
-            group.edge = {first + k, first + (k + 1) % corners.count, share, cut.level(cell)};
+            return CornerGroup::Edge{first + k, first + (k + 1) % corners.count, share, cut.level(cell)};
         }
+        return std::nullopt;
     }
 
     const VisiblePatches& patches_;
     const std::vector<PatchSlope>& slopes_;
     const Scene& scene_;
     std::uint32_t surface_;
+    bool front_;
     std::uint32_t first_patch_;
     Vec3 normal_;
     CornerLattice lattice_;
@@ -249,10 +239,9 @@ private:
 } // namespace
 
 std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes,
-                                       std::uint32_t surface, bool front, std::uint32_t first_row,
-                                       std::uint32_t end_row, bool with_points)
+                                       std::uint32_t surface, bool front)
 {
-    return Side(patches, slopes, surface, front).groups(first_row, end_row, with_points);
+    return Side(patches, slopes, surface, front).groups();
 }
 
 } // namespace multipath

@@ -6,7 +6,6 @@
 #include "scene/rgb.h"
 #include "scene/tessellation.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,20 +33,16 @@ public:
 
     explicit CornerLattice(const Tessellation& tessellation) : tessellation_(tessellation) {}
 
-    std::uint32_t last_column(std::uint32_t j) const { return tessellation_.grid_u() - (triangle() ? j : 0); }
-    std::uint32_t last_row() const { return tessellation_.grid_v(); }
-    double u(std::uint32_t i) const { return static_cast<double>(i) / tessellation_.grid_u(); }
-    double v(std::uint32_t j) const { return static_cast<double>(j) / tessellation_.grid_v(); }
+    double u(GridPoint corner) const { return static_cast<double>(corner.i) / tessellation_.grid_u(); }
+    double v(GridPoint corner) const { return static_cast<double>(corner.j) / tessellation_.grid_v(); }
 
-    /// The corners in rows j = first_row ... end_row - 1, each once, row by row and by increasing i.
-    std::vector<GridPoint> points(std::uint32_t first_row, std::uint32_t end_row) const;
+    /// All corners, each once, row by row and by increasing i.
+    std::vector<GridPoint> points() const;
 
-    /// The cells around corner (i, j), counter-clockwise. The first most_around() entries are used, and those beyond
-    /// the border of the surface are empty. In a parallelogram, entries 0 and 1 lie below the corner (smaller v),
-    /// entries 2 and 3 above. A cell that has the corner as a hanging node appears twice (a triangle: three times).
-    std::array<std::optional<CellCorner>, 6> around(std::uint32_t i, std::uint32_t j) const;
-    /// Largest number of cells around a corner.
-    std::size_t most_around() const { return triangle() ? 6 : 4; }
+    /// The four cells around a corner, or six in a triangle, counter-clockwise. Those beyond the border of the surface
+    /// are empty. In a parallelogram, cells 0 and 1 lie below the corner (smaller v), cells 2 and 3 above. A cell that
+    /// has the corner as a hanging node appears twice (a triangle: three times).
+    std::vector<std::optional<CellCorner>> around(GridPoint corner) const;
 
     /// Interpolates between the corners of the cell at (u, v): bilinear in a parallelogram, barycentric in a triangle.
     /// `values`: per_cell entries for each cell, in the order of the cells.
@@ -65,17 +60,18 @@ private:
 struct CornerGroup
 {
     std::uint32_t surface = 0;
+    bool front = true;
     Vec3 normal; ///< unit normal of the side
     Vec3 corner;
     /// CornerLattice::per_cell * patch + index of the corner in the patch. Patches in which the corner is a hanging
     /// node are left out.
     std::vector<std::size_t> slots;
     Rgb value;
-    double weight = 0.0; ///< [1] sum of the open shares (VisiblePatches) of the patches in `slots`
-    /// Uncovered points of each patch, one near the corner and one near the centre of the patch, as far as they exist.
-    /// Empty for corners inside the surface unless corner_groups() was asked for points.
-    std::vector<OpenPoint> points;
+    double weight = 0.0;    ///< [1] sum of the open shares (VisiblePatches) of the patches in `slots`
     bool on_border = false; ///< the corner lies on the border of the surface
+    /// Uncovered points of each patch, one near the corner and one near the centre of the patch, as far as they exist.
+    /// Empty for corners inside the surface.
+    std::vector<OpenPoint> points;
 
     /// An edge of a larger patch of the group, inside which the corner lies as a hanging node.
     struct Edge
@@ -88,12 +84,10 @@ struct CornerGroup
     std::optional<Edge> edge; ///< if set, the final value is interpolated between the ends of this edge
 };
 
-/// The groups at the corners of one side of a surface, in rows first_row ... end_row - 1 of its lattice. The value of a
-/// group is the mean of the linear functions of its patches at the corner, each at least 0, weighted by the open shares
-/// of the patches. A group of weight 0 gets the mean of the other groups at the corner. `with_points`: also store
-/// points for corners inside the surface.
+/// The groups at the corners of one side of a surface. The value of a group is the mean of the linear functions of its
+/// patches at the corner, each at least 0, weighted by the open shares of the patches. A group of weight 0 gets the
+/// mean of the other groups at the corner.
 std::vector<CornerGroup> corner_groups(const VisiblePatches& patches, const std::vector<PatchSlope>& slopes,
-                                       std::uint32_t surface, bool front, std::uint32_t first_row,
-                                       std::uint32_t end_row, bool with_points);
+                                       std::uint32_t surface, bool front);
 
 } // namespace multipath

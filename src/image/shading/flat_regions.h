@@ -1,13 +1,14 @@
 #pragma once
 
 #include "geometry/vec3.h"
-#include "image/shading/smoothing_groups.h"
+#include "image/shading/corner_groups.h"
 #include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,23 +22,36 @@ namespace multipath {
 class FlatRegions
 {
 public:
-    /// `patches` and its scene must outlive this object.
-    FlatRegions(const VisiblePatches& patches, int threads);
+    /// `normals`: unit front normals of all surfaces. The arguments and the scene must outlive this object.
+    FlatRegions(const VisiblePatches& patches, const std::vector<Vec3>& normals);
 
     /// True if the surface belongs to a region. A region has at least two surfaces, and the grid cells of at least one
     /// of them are needles.
     bool contains(std::uint32_t surface) const { return region_of_[surface] != none; }
 
-    /// Value at `corner` of a surface for which contains() is true, by moving least squares (Lancaster and Salkauskas
-    /// 1981): a linear fit to the nearby patches of the region, clamped to the range of their values. Patches that are
-    /// occluded from `own` are left out; `own` is an uncovered point on the same side near the corner. Returns nothing
-    /// if no patch is left.
-    std::optional<Rgb> value(std::uint32_t surface, bool front, Vec3 corner, const OpenPoint& own) const;
+    /// Value at the corner of a group on a surface for which contains() is true, by moving least squares (Lancaster and
+    /// Salkauskas 1981): a linear fit to the nearby patches of the region, clamped to the range of their values.
+    /// Patches that are occluded from the first patch of the group are left out. Returns nothing if no patch is left.
+    std::optional<Rgb> value(const CornerGroup& group) const;
 
 private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-    /// Sums over the patches whose centres lie in one square of the grid of a region.
+    using Square = std::array<std::int64_t, 4>; ///< region, side, row, column
+
+    /// One side of a region, with a grid of squares in its plane.
+    struct Plane
+    {
+        std::uint32_t region;
+        bool front;
+        double reach;        ///< [scene units] radius of the fit
+        Vec3 axis_u, axis_v; ///< unit vectors
+
+        Square square(Vec3 point) const; ///< the square that contains a point
+    };
+
+    /// Sums over the patches whose centres lie in one square. The fit at a corner then costs the same however small the
+    /// patches are.
     struct Bin
     {
         double weight = 0.0; ///< [m^2] sum of the open areas
@@ -45,35 +59,15 @@ private:
         Rgb value;           ///< sum of weight * value
         Vec3 point;          ///< an uncovered point of one of the patches
     };
-    /// A region with a grid of bins for its front and, in a two-sided scene, one for its back.
-    struct Region
-    {
-        Vec3 origin;
-        Vec3 axis_u, axis_v; ///< unit vectors
-        double reach = 0.0;  ///< [scene units] radius of the fit
-        double cell = 0.0;   ///< [scene units] side of a square of the grid
-        std::size_t columns = 0;
-        std::size_t rows = 0;
-        /// Index in bins_ of the first bin of the front; the bins of the back follow those of the front.
-        std::size_t first_bin = 0;
 
-        std::size_t bin(std::size_t i, std::size_t j, bool front) const
-        {
-            return first_bin + (front ? 0 : columns * rows) + j * columns + i;
-        }
-        std::size_t column(Vec3 point) const { return index(dot(point - origin, axis_u), columns); }
-        std::size_t row(Vec3 point) const { return index(dot(point - origin, axis_v), rows); }
-        std::size_t index(double x, std::size_t count) const;
-    };
-
-    void add_region(const std::vector<std::uint32_t>& surfaces);
-    void fill(const Region& region, std::uint32_t surface, bool front);
+    Plane plane_of(std::uint32_t surface, bool front) const;
+    void add(std::uint32_t surface, bool front);
 
     const VisiblePatches& patches_;
-    std::vector<Vec3> normals_;            ///< per surface
-    std::vector<std::uint32_t> region_of_; ///< per surface: index in regions_, or `none`
-    std::vector<Region> regions_;
-    std::vector<Bin> bins_;
+    const std::vector<Vec3>& normals_;
+    std::vector<std::uint32_t> region_of_; ///< per surface: the first surface of its region, or `none`
+    std::vector<double> reach_;            ///< [scene units] of each region, at the index of its first surface
+    std::map<Square, Bin> bins_;
 };
 
 } // namespace multipath

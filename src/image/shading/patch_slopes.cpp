@@ -13,6 +13,27 @@
 
 namespace multipath {
 
+void SlopeFit::add(double weight, Vec3 way, Rgb change)
+{
+    xx_ += weight * way.x * way.x;
+    xy_ += weight * way.x * way.y;
+    yy_ += weight * way.y * way.y;
+    x_value_ += weight * way.x * change;
+    y_value_ += weight * way.y * change;
+    low_ = by_channel([](double a, double b) { return std::min(a, b); }, low_, change);
+    high_ = by_channel([](double a, double b) { return std::max(a, b); }, high_, change);
+}
+
+PatchSlope SlopeFit::slope() const
+{
+    if (on_one_line()) {
+        const double scale = quotient(1.0, trace() * trace());
+        return {scale * (xx_ * x_value_ + xy_ * y_value_), scale * (xy_ * x_value_ + yy_ * y_value_)};
+    }
+    const double scale = 1.0 / determinant();
+    return {scale * (yy_ * x_value_ - xy_ * y_value_), scale * (xx_ * y_value_ - xy_ * x_value_)};
+}
+
 namespace {
 
 // Positions and vectors on a surface, either in steps of its finest grid or in the coordinates of a patch, have z = 0.
@@ -31,24 +52,6 @@ struct Neighbours
 
     const std::uint32_t* begin() const { return list.data(); }
     const std::uint32_t* end() const { return list.data() + count; }
-};
-
-/// Second moments of the vectors to the neighbours.
-struct SlopeMoments
-{
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-
-    void add(Vec3 way)
-    {
-        xx += way.x * way.x;
-        xy += way.x * way.y;
-        yy += way.y * way.y;
-    }
-    double determinant() const { return xx * yy - xy * xy; }
-    double trace() const { return xx + yy; }
-    bool on_one_line() const { return determinant() <= 1e-6 * trace() * trace(); }
 };
 
 Vec3 centre_of(const CellCorners& corners)
@@ -172,46 +175,21 @@ private:
         }
     };
 
-    /// Least-squares slope with the limiter of Barth and Jespersen. If all neighbours lie on one line, the slope across
-    /// it is 0.
+    /// Least-squares slope with the limiter of Barth and Jespersen.
     PatchSlope fitted(std::uint32_t patch) const
     {
-        const Neighbours& around = around_[patch];
-        PatchSlope slope;
-        if (around.count == 0)
-            return slope;
         const Frame frame(scene_.corners(patch));
-        const Rgb own = patches_.value(patch);
-        SlopeMoments moments;
-        Rgb x_value;
-        Rgb y_value;
-        Rgb low;
-        Rgb high;
-        for (const std::uint32_t other : around) {
-            const Vec3 way = frame.way(centre_of(scene_.corners(other)));
-            const Rgb more = patches_.value(other) - own;
-            moments.add(way);
-            x_value += way.x * more;
-            y_value += way.y * more;
-            low = by_channel([](double a, double b) { return std::min(a, b); }, low, more);
-            high = by_channel([](double a, double b) { return std::max(a, b); }, high, more);
-        }
-        if (moments.on_one_line()) {
-            const double scale = 1.0 / (moments.trace() * moments.trace());
-            slope.along_u = scale * (moments.xx * x_value + moments.xy * y_value);
-            slope.along_v = scale * (moments.xy * x_value + moments.yy * y_value);
-        } else {
-            const double scale = 1.0 / moments.determinant();
-            slope.along_u = scale * (moments.yy * x_value - moments.xy * y_value);
-            slope.along_v = scale * (moments.xx * y_value - moments.xy * x_value);
-        }
+        SlopeFit fit;
+        for (const std::uint32_t other : around_[patch])
+            fit.add(1.0, frame.way(centre_of(scene_.corners(other))), patches_.value(other) - patches_.value(patch));
+        const PatchSlope slope = fit.slope();
         // The limiter keeps the function halfway to each neighbour within the range of the values.
         Rgb factor = {1.0, 1.0, 1.0};
-        for (const std::uint32_t other : around) {
+        for (const std::uint32_t other : around_[patch]) {
             const Vec3 way = frame.way(centre_of(scene_.corners(other)));
             const Rgb change = 0.5 * (way.x * slope.along_u + way.y * slope.along_v);
             factor = by_channel([](double a, double b) { return std::min(a, b); }, factor,
-                                by_channel(within, change, low, high));
+                                by_channel(within, change, fit.low(), fit.high()));
         }
         return {factor * slope.along_u, factor * slope.along_v};
     }
@@ -225,17 +203,17 @@ private:
             return fits[patch];
         const Frame frame(scene_.corners(patch));
         PatchSlope theirs;
-        SlopeMoments moments;
+        SlopeFit fit;
         for (const std::uint32_t other : around) {
             const Frame its(scene_.corners(other));
             theirs.along_u += its.change(fits[other], frame.u);
             theirs.along_v += its.change(fits[other], frame.v);
-            moments.add(frame.way(its.centre));
+            fit.add(1.0, frame.way(its.centre), {});
         }
         const double share = 1.0 / static_cast<double>(around.count);
         theirs = {share * theirs.along_u, share * theirs.along_v};
         const PatchSlope& own = fits[patch];
-        if (!moments.on_one_line())
+        if (!fit.on_one_line())
             return {at_end(own.along_u, theirs.along_u), at_end(own.along_v, theirs.along_v)};
         const Vec3 line = frame.way(centre_of(scene_.corners(around.list[0])));
         const double square = dot(line, line);

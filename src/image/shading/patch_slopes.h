@@ -4,6 +4,7 @@
 #include "scene/rgb.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +24,32 @@ struct PatchSlope
         const double y = (k >= 2 ? 1.0 : 0.0) - middle;
         return x * along_u + y * along_v;
     }
+};
+
+/// Weighted least-squares fit of a linear function that is 0 at the origin, from the normal equations. The coordinates
+/// are those of PatchSlope, with z = 0.
+class SlopeFit
+{
+public:
+    /// Adds a point where the function should have the value `change`.
+    void add(double weight, Vec3 way, Rgb change);
+    /// True if all points, as seen from the origin, lie on one line.
+    bool on_one_line() const { return determinant() <= 1e-6 * trace() * trace(); }
+    /// The fitted slope. If all points lie on one line, the slope across it is 0.
+    PatchSlope slope() const;
+
+    Rgb low() const { return low_; }   ///< least value of the points and the origin
+    Rgb high() const { return high_; } ///< greatest value of the points and the origin
+
+private:
+    double determinant() const { return xx_ * yy_ - xy_ * xy_; }
+    double trace() const { return xx_ + yy_; }
+
+    double xx_ = 0.0, xy_ = 0.0, yy_ = 0.0; ///< second moments of the points
+    Rgb x_value_;
+    Rgb y_value_;
+    Rgb low_;
+    Rgb high_;
 };
 
 /// Reconstructs a linear function on every patch from one value per patch, like a finite volume method. The mean of the

@@ -56,7 +56,6 @@ std::vector<Rgb> without_texture(const Scene& scene, std::vector<Rgb> radiosity)
 namespace {
 
 constexpr std::size_t most_joined = 1000; // more groups at one position are not joined, to bound the time
-constexpr std::uint64_t strips_together = 64;
 
 /// Equal for coinciding corners of one material, both on fronts or both on backs.
 std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, Vec3 corner)
@@ -66,40 +65,10 @@ std::uint64_t border_key(const Scene& scene, std::uint32_t surface, bool front, 
 
 std::uint64_t border_key(const Scene& scene, const CornerGroup& group)
 {
-    const std::size_t patch = group.slots.front() / CornerLattice::per_cell;
-    return border_key(scene, group.surface, scene.is_front(static_cast<std::uint32_t>(patch)), group.corner);
+    return border_key(scene, group.surface, group.front, group.corner);
 }
 
-/// Rows of corners of one side of a surface.
-struct Strip
-{
-    std::uint32_t surface;
-    bool front;
-    std::uint32_t first_row;
-    std::uint32_t end_row;
-};
-
-/// The sides of the surfaces for which `chosen` is not 0, cut into strips of similar size for parallel work.
-std::vector<Strip> strips_of(const Scene& scene, const std::vector<char>& chosen)
-{
-    constexpr std::uint64_t corners_together = 4096;
-    std::vector<Strip> strips;
-    for (const bool front : {true, false})
-        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if (!(front || scene.two_sided()) || chosen[surface] == 0)
-                continue;
-            const Tessellation& cut = scene.tessellation(surface);
-            const std::uint64_t end = cut.grid_v() + 1ull;
-            const std::uint64_t rows =
-                cut.trees ? end : std::max<std::uint64_t>(1, corners_together / (cut.cells_u + 1ull));
-            for (std::uint64_t row = 0; row < end; row += rows)
-                strips.push_back({surface, front, static_cast<std::uint32_t>(row),
-                                  static_cast<std::uint32_t>(std::min(end, row + rows))});
-        }
-    return strips;
-}
-
-/// The surfaces that are not shown but have a corner on their border that coincides with that of a group.
+/// The surfaces that are not shown but have a corner that coincides with that of a group.
 std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& shown,
                                   const std::deque<CornerGroup>& groups, int threads)
 {
@@ -110,12 +79,10 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
     std::sort(keys.begin(), keys.end());
     const auto coincides = [&](std::uint32_t surface, bool front) {
         const CornerLattice lattice(scene.tessellation(surface));
-        const std::vector<GridPoint> points = lattice.points(0, lattice.last_row() + 1);
+        const std::vector<GridPoint> points = lattice.points();
         return std::any_of(points.begin(), points.end(), [&](GridPoint point) {
-            const bool inside = point.i != 0 && point.i != lattice.last_column(point.j) && point.j != 0 &&
-                                point.j != lattice.last_row();
-            const Vec3 corner = scene.surfaces()[surface].at(lattice.u(point.i), lattice.v(point.j));
-            return !inside && std::binary_search(keys.begin(), keys.end(), border_key(scene, surface, front, corner));
+            const Vec3 corner = scene.surfaces()[surface].at(lattice.u(point), lattice.v(point));
+            return std::binary_search(keys.begin(), keys.end(), border_key(scene, surface, front, corner));
         });
     };
     std::vector<char> result(shown.size());
@@ -171,52 +138,32 @@ void join_coinciding(const Scene& scene, const std::vector<Vec3>& normals,
     }
 }
 
-/// A group with its sort key.
-struct SortedGroup
-{
-    std::uint64_t key;
-    std::size_t slot; ///< breaks ties, so that sums do not depend on the sorting algorithm
-    const CornerGroup* group;
-
-    bool operator<(const SortedGroup& other) const { return std::tie(key, slot) < std::tie(other.key, other.slot); }
-};
-
 /// Joins coinciding groups of different surfaces. Calls put(group, value) for each group whose value changes.
 template <class Put>
-void join_borders(const Scene& scene, const std::deque<CornerGroup>& groups, int threads, const Put& put)
+void join_borders(const Scene& scene, const std::vector<Vec3>& normals, const std::deque<CornerGroup>& groups,
+                  int threads, const Put& put)
 {
-    std::vector<SortedGroup> order;
+    // Sorted also by slot, so that sums do not depend on the sorting algorithm.
+    std::vector<std::tuple<std::uint64_t, std::size_t, const CornerGroup*>> order;
     for (const CornerGroup& group : groups)
         if (group.on_border)
-            order.push_back({border_key(scene, group), group.slots.front(), &group});
+            order.emplace_back(border_key(scene, group), group.slots.front(), &group);
     std::sort(order.begin(), order.end());
-
-    // Runs of coinciding groups, sorted by surface for locality of memory access.
-    std::vector<std::pair<std::size_t, std::size_t>> runs; // begin and end in `order`
-    for (std::size_t first = 0, last; first < order.size(); first = last) {
-        last = first + 1;
-        while (last < order.size() && order[last].key == order[first].key)
-            ++last;
-        if (last - first > 1 && last - first <= most_joined)
-            runs.emplace_back(first, last);
+    std::vector<std::vector<const CornerGroup*>> coinciding;
+    std::uint64_t key_before = 0;
+    for (const auto& [key, slot, group] : order) {
+        if (coinciding.empty() || key != key_before)
+            coinciding.emplace_back();
+        coinciding.back().push_back(group);
+        key_before = key;
     }
-    std::sort(runs.begin(), runs.end(),
-              [&](const auto& a, const auto& b) { return order[a.first].slot < order[b.first].slot; });
-
-    std::vector<Vec3> normals;
-    for (const Surface& surface : scene.surfaces())
-        normals.push_back(surface.normal());
-    constexpr std::uint32_t runs_together = 256;
-    parallel_ranges(static_cast<std::uint32_t>(runs.size()), runs_together, threads,
-                    [&](std::uint32_t begin, std::uint32_t end) {
-                        std::vector<const CornerGroup*> run;
-                        for (std::uint32_t k = begin; k < end; ++k) {
-                            run.clear();
-                            for (std::size_t n = runs[k].first; n < runs[k].second; ++n)
-                                run.push_back(order[n].group);
-                            join_coinciding(scene, normals, run, put);
-                        }
-                    });
+    // By surface, for locality of memory access.
+    std::sort(coinciding.begin(), coinciding.end(),
+              [](const auto& a, const auto& b) { return a.front()->slots.front() < b.front()->slots.front(); });
+    parallel_numbers(static_cast<std::uint32_t>(coinciding.size()), threads, [&](std::uint32_t k) {
+        if (coinciding[k].size() <= most_joined)
+            join_coinciding(scene, normals, coinciding[k], put);
+    });
 }
 
 /// Interpolates hanging nodes between the ends of the edge on which they lie. Edges of larger patches come first, since
@@ -247,27 +194,30 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
         for (const std::size_t slot : group.slots)
             corners[slot] = value;
     };
-    const FlatRegions regions(patches, threads);
+    std::vector<Vec3> normals;
+    for (const Surface& surface : scene.surfaces())
+        normals.push_back(surface.normal());
+    const FlatRegions regions(patches, normals);
     std::deque<CornerGroup> groups; // whose values may change later
     const auto add = [&](const std::vector<char>& chosen) {
-        const std::vector<Strip> strips = strips_of(scene, chosen);
-        const Blocks blocks = {strips.size(), strips_together};
+        std::vector<std::pair<std::uint32_t, bool>> sides; // surface, front
+        for (std::uint32_t surface = 0; surface < chosen.size(); ++surface)
+            for (const bool front : {true, false})
+                if (chosen[surface] != 0 && (front || scene.two_sided()))
+                    sides.emplace_back(surface, front);
+        const std::uint64_t sides_together = 1 + sides.size() / 256; // few, as surfaces differ in size
+        const Blocks blocks = {sides.size(), sides_together};
         BlockBuffers<std::vector<CornerGroup>> found(threads);
         const auto find = [&](std::uint64_t block, int slot) {
             found[slot].clear();
-            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k) {
-                const auto [surface, front, first_row, end_row] = strips[k];
-                const bool in_region = regions.contains(surface);
-                for (CornerGroup& group :
-                     corner_groups(patches, slopes, surface, front, first_row, end_row, in_region)) {
-                    if (in_region && !group.points.empty())
-                        group.value =
-                            regions.value(surface, front, group.corner, group.points.front()).value_or(group.value);
+            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k)
+                for (CornerGroup& group : corner_groups(patches, slopes, sides[k].first, sides[k].second)) {
+                    if (regions.contains(group.surface))
+                        group.value = regions.value(group).value_or(group.value);
                     put(group, group.value);
                     if (group.edge || group.on_border)
                         found[slot].push_back(std::move(group));
                 }
-            }
         };
         ordered_blocks(blocks.count(), threads, find, [&](std::uint64_t, int slot) {
             std::move(found[slot].begin(), found[slot].end(), std::back_inserter(groups));
@@ -276,7 +226,7 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
     add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
     if (!shown.empty())
         add(surfaces_beside(scene, shown, groups, threads));
-    join_borders(scene, groups, threads, put);
+    join_borders(scene, normals, groups, threads, put);
     interpolate_hanging_nodes(groups, corners);
     return corners;
 }

@@ -64,37 +64,31 @@ NearbyOccluders::NearbyOccluders(const Scene& scene, const std::vector<Vec3>& no
     Bounds box;
     for (const OpenPoint& point : points)
         box.include(point.point);
-    const double reach = 2.0 * lift * box.diagonal() + rounding * scene.bounds().diagonal();
-    const Vec3 margin = {reach, reach, reach};
-    box = {box.low - margin, box.high + margin};
-    const std::optional<std::vector<std::uint32_t>> listed = scene.intersector().surfaces_near(box);
-    if (!listed)
-        return;
-    near_.emplace();
-    for (const std::uint32_t surface : *listed) {
-        const Vec3 normal = normals[surface];
+    const double play = rounding * scene.bounds().diagonal();
+    const double reach = 2.0 * lift * box.diagonal() + play;
+    const auto grown = [](const Bounds& bounds, double by) {
+        return Bounds{bounds.low - Vec3{by, by, by}, bounds.high + Vec3{by, by, by}};
+    };
+    box = grown(box, reach);
+    for (const std::uint32_t surface : scene.intersector().surfaces_near(box)) {
         const bool is_level = std::all_of(points.begin(), points.end(), [&](const OpenPoint& point) {
-            return same_smoothing_group(normal, point.normal);
+            return same_smoothing_group(normals[surface], point.normal);
         });
         if (is_level)
             continue;
         const Bounds own = scene.surfaces()[surface].bounds();
-        if (overlap(own, box)) {
-            const double play = rounding * scene.bounds().diagonal();
-            near_->push_back({surface, normal, {own.low - Vec3{play, play, play}, own.high + Vec3{play, play, play}}});
-        }
+        if (overlap(own, box))
+            near_.push_back({surface, normals[surface], grown(own, play)});
     }
 }
 
 bool NearbyOccluders::separate(const OpenPoint& a, const OpenPoint& b) const
 {
-    if (!near_)
-        return occluded_between(scene_, a, b);
     const Line line = lifted_segment(a, b);
     Bounds box;
     box.include(line.origin);
     box.include(line.origin + line.direction);
-    return std::any_of(near_->begin(), near_->end(), [&](const Near& near) {
+    return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
         return overlap(box, near.box) && may_occlude(near.normal, a, b) &&
                scene_.intersector().hit_on(line, near.surface);
     });

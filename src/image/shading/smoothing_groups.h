@@ -4,7 +4,6 @@
 #include "scene/scene.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -50,7 +49,7 @@ private:
     };
 
     const Scene& scene_;
-    std::optional<std::vector<Near>> near_; ///< the candidates; no list means all surfaces
+    std::vector<Near> near_; ///< the candidates
 };
 
 } // namespace multipath

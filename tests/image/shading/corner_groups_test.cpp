@@ -35,13 +35,12 @@ TEST_CASE("the cells around all corners are the corners of all cells")
         const CornerLattice lattice(tessellation);
         std::set<std::pair<std::uint32_t, std::uint32_t>> corners;
         std::size_t count = 0;
-        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-                for (const std::optional<CellCorner>& cell : lattice.around(i, j))
-                    if (cell) {
-                        corners.insert({cell->cell, cell->number});
-                        ++count;
-                    }
+        for (const GridPoint point : lattice.points())
+            for (const std::optional<CellCorner>& cell : lattice.around(point))
+                if (cell) {
+                    corners.insert({cell->cell, cell->number});
+                    ++count;
+                }
         CHECK(count == tessellation.cell_count() * (tessellation.shape == Shape::triangle ? 3 : 4));
         CHECK(corners.size() == count);
     }
@@ -56,31 +55,30 @@ TEST_CASE("the cells around a corner have it, and follow each other from edge to
         const Surface surface = {tessellation.shape, {}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
         const bool triangle = tessellation.shape == Shape::triangle;
         const CornerLattice lattice(tessellation);
-        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i) {
-                const auto cells = lattice.around(i, j);
-                for (std::size_t k = 0; k < lattice.most_around(); ++k) {
-                    if (!cells[k])
-                        continue;
-                    const Surface cell = tessellation.cell(surface, cells[k]->cell);
-                    const Vec3 corners[] = {cell.origin, cell.origin + cell.edge_u,
-                                            triangle ? cell.origin + cell.edge_v : cell.at(1.0, 1.0),
-                                            cell.origin + cell.edge_v};
-                    const Vec3 place = surface.at(lattice.u(i), lattice.v(j));
-                    CHECK(length(corners[cells[k]->number] - place) < 1e-14); // rounding
-                    const auto& next = cells[(k + 1) % lattice.most_around()];
-                    if (!next)
-                        continue;
-                    const Vec3 way = tessellation.cell(surface, next->cell).centre() - cell.centre();
-                    const bool along_u = k % 2 == 0;
-                    if (!triangle) {
-                        CHECK(std::abs(along_u ? way.y : way.x) < 1e-14); // rounding
-                        CHECK(std::abs(along_u ? way.x : way.y) == doctest::Approx(along_u ? 1.0 / 3.0 : 1.0 / 5.0));
-                    } else {
-                        CHECK(length(way) < 0.8 / 4.0); // at most sqrt(5) / 3 of an edge; else a whole one
-                    }
+        for (const GridPoint point : lattice.points()) {
+            const auto cells = lattice.around(point);
+            for (std::size_t k = 0; k < cells.size(); ++k) {
+                if (!cells[k])
+                    continue;
+                const Surface cell = tessellation.cell(surface, cells[k]->cell);
+                const Vec3 corners[] = {cell.origin, cell.origin + cell.edge_u,
+                                        triangle ? cell.origin + cell.edge_v : cell.at(1.0, 1.0),
+                                        cell.origin + cell.edge_v};
+                const Vec3 place = surface.at(lattice.u(point), lattice.v(point));
+                CHECK(length(corners[cells[k]->number] - place) < 1e-14); // rounding
+                const auto& next = cells[(k + 1) % cells.size()];
+                if (!next)
+                    continue;
+                const Vec3 way = tessellation.cell(surface, next->cell).centre() - cell.centre();
+                const bool along_u = k % 2 == 0;
+                if (!triangle) {
+                    CHECK(std::abs(along_u ? way.y : way.x) < 1e-14); // rounding
+                    CHECK(std::abs(along_u ? way.x : way.y) == doctest::Approx(along_u ? 1.0 / 3.0 : 1.0 / 5.0));
+                } else {
+                    CHECK(length(way) < 0.8 / 4.0); // at most sqrt(5) / 3 of an edge; else a whole one
                 }
             }
+        }
     }
 }
 
@@ -90,11 +88,11 @@ TEST_CASE("given a ramp at its corners, every cell shows the ramp")
          {Tessellation{Shape::parallelogram, 3, 5, nullptr}, Tessellation{Shape::triangle, 3, 3, nullptr}}) {
         const CornerLattice lattice(tessellation);
         std::vector<Rgb> corners(CornerLattice::per_cell * tessellation.cell_count());
-        for (std::uint32_t j = 0; j <= lattice.last_row(); ++j)
-            for (std::uint32_t i = 0; i <= lattice.last_column(j); ++i)
-                for (const std::optional<CellCorner>& cell : lattice.around(i, j))
-                    if (cell)
-                        corners[CornerLattice::per_cell * cell->cell + cell->number] = ramp(lattice.u(i), lattice.v(j));
+        for (const GridPoint point : lattice.points())
+            for (const std::optional<CellCorner>& cell : lattice.around(point))
+                if (cell)
+                    corners[CornerLattice::per_cell * cell->cell + cell->number] =
+                        ramp(lattice.u(point), lattice.v(point));
         const bool triangle = tessellation.shape == Shape::triangle;
         for (double u = 0.0; u <= 1.0; u += 0.07)
             for (double v = 0.0; (triangle ? u + v : v) <= 1.0; v += 0.07)
