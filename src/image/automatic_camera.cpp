@@ -15,6 +15,7 @@
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
 #include "image/view_quality.h"
+#include "sampling/discrete_distribution.h"
 #include "sampling/warp.h"
 
 #include <algorithm>
@@ -71,6 +72,16 @@ void grow_if_flat(Bounds& box)
     box.high = box.high + 0.5 * missing;
 }
 
+/// The box, in the axes of a room, of all surfaces that rise above a height in these axes.
+Bounds box_above(const Scene& scene, const Room& axes, double height)
+{
+    Bounds result;
+    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
+        if (const Bounds box = axes.box_of(scene.surfaces()[s]); box.high.y > height)
+            result.include(box);
+    return result;
+}
+
 Room room_of(const Scene& scene, Vec3 up)
 {
     Room room;
@@ -78,8 +89,7 @@ Room room_of(const Scene& scene, Vec3 up)
     const Vec3 toward = std::abs(room.axis_y.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{0.0, -1.0, 0.0};
     room.axis_x = normalized(cross(room.axis_y, toward));
     room.axis_z = cross(room.axis_x, room.axis_y);
-    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        room.box.include(room.box_of(scene.surfaces()[s]));
+    room.box = box_above(scene, room, -Bounds::infinity);
     grow_if_flat(room.box);
     return room;
 }
@@ -87,15 +97,9 @@ Room room_of(const Scene& scene, Vec3 up)
 /// The part of a scene that rises above its ground; the whole scene if nothing does.
 Room above_ground(const Scene& scene, const Room& whole)
 {
-    Bounds all;
-    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        all.include(whole.box_of(scene.surfaces()[s]));
-    const double level = all.low.y + 0.05 * all.size().y;
+    const Bounds all = box_above(scene, whole, -Bounds::infinity);
     Room room = whole;
-    room.box = {};
-    for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-        if (const Bounds box = whole.box_of(scene.surfaces()[s]); box.high.y > level)
-            room.box.include(box);
+    room.box = box_above(scene, whole, all.low.y + 0.05 * all.size().y);
     if (room.box.empty())
         return whole;
     grow_if_flat(room.box);
@@ -171,12 +175,10 @@ std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
     constexpr std::size_t most_rooms = 3;
     const Scene& scene = lit_scene.scene;
     const bool by_area = has_daylight(scene) || lit_scene.radiosity.empty();
-    std::vector<double> sums; // cumulative weights of the patches
-    double sum = 0.0;
+    DiscreteDistribution light;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        if (lit_scene.is_lit[i] && !scene.is_sky(scene.surface_of(i)))
-            sum += scene.area(i) * (by_area ? 1.0 : std::max(0.0, mean(lit_scene.radiosity[i] - scene.emittance(i))));
-        sums.push_back(sum);
+        const double share = by_area ? 1.0 : std::max(0.0, mean(lit_scene.radiosity[i] - scene.emittance(i)));
+        light.add(lit_scene.is_lit[i] && !scene.is_sky_patch(i) ? share * scene.area(i) : 0.0);
     }
     struct Found
     {
@@ -184,9 +186,8 @@ std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
         int points;
     };
     std::vector<Found> found;
-    for (int k = 0; k < points && sum > 0.0; ++k) {
-        const auto chosen = std::upper_bound(sums.begin(), sums.end() - 1, (k + 0.5) / points * sum);
-        const Patch patch = scene.patch(static_cast<std::uint32_t>(chosen - sums.begin()));
+    for (int k = 0; k < points && light.total() > 0.0; ++k) {
+        const Patch patch = scene.patch(static_cast<std::uint32_t>(light.at((k + 0.5) / points)));
         const Line away = {patch.shape.centre(), patch.shape.normal()};
         const std::optional<Hit> opposite = scene.intersector().closest_hit_from(patch.surface, away);
         const bool is_open = !opposite || scene.is_sky(opposite->surface);
@@ -253,26 +254,46 @@ void append_behind_walls(const Room& room, Vec3 up, double angle, std::vector<Ca
             }
 }
 
-/// Cameras in front of each side, far enough away to see all of it, and above each corner.
-std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double angle, double aspect)
+/// [scene units] The distance from the centre of a room at which a camera in this direction sees all of its box.
+double fitting_distance(const Room& room, Vec3 direction, double angle, double aspect)
 {
-    std::vector<Camera> cameras;
-    const Vec3 size = room.box.size();
-    const Vec3 centre = room.centre();
     const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
-    const double diagonal_distance = 0.5 * room.box.diagonal() / elementary::sin(0.5 * angle * radians_per_degree);
-    const double for_height = 0.5 * size.y / half_height;
-    const double along_z = std::max(for_height, 0.5 * size.x / (half_height * aspect)) / size.z + 0.5;
-    const double along_x = std::max(for_height, 0.5 * size.z / (half_height * aspect)) / size.x + 0.5;
-    for (const double side : {1.0, -1.0}) {
-        cameras.push_back({room.at(0.5, 0.5, 0.5 + side * along_z), centre, up, angle});
-        cameras.push_back({room.at(0.5 + side * along_x, 0.5, 0.5), centre, up, angle});
-        for (const double other_side : {1.0, -1.0}) {
-            const Vec3 slant = normalized(side * room.axis_x + 0.6 * room.axis_y + other_side * room.axis_z);
-            cameras.push_back({centre + diagonal_distance * slant, centre, up, angle});
-        }
+    const Vec3 right = normalized(cross(room.axis_y, direction));
+    const Vec3 above = cross(direction, right);
+    double distance = 0.0;
+    for (const Vec3 point : room.corners()) {
+        const Vec3 corner = point - room.centre();
+        const double aside = std::max(std::abs(dot(corner, above)), std::abs(dot(corner, right)) / aspect);
+        distance = std::max(distance, aside / half_height + dot(corner, direction));
+    }
+    return distance;
+}
+
+/// Cameras in these directions from the centre of a room, `margin` times as far away as all of it fits into the
+/// picture.
+std::vector<Camera> cameras_around(const Room& room, const std::vector<Vec3>& directions, double margin, Vec3 up,
+                                   double aspect)
+{
+    const double angle = field_of_view(45.0, 60.0, aspect);
+    std::vector<Camera> cameras;
+    for (const Vec3 direction : directions) {
+        const double distance = margin * fitting_distance(room, direction, angle, aspect);
+        cameras.push_back({room.centre() + distance * direction, room.centre(), up, angle});
     }
     return cameras;
+}
+
+/// Cameras in front of each side and above each corner.
+std::vector<Camera> outside_cameras(const Room& room, Vec3 up, double aspect)
+{
+    std::vector<Vec3> directions;
+    for (const double side : {1.0, -1.0}) {
+        directions.push_back(side * room.axis_z);
+        directions.push_back(side * room.axis_x);
+        for (const double other_side : {1.0, -1.0})
+            directions.push_back(normalized(side * room.axis_x + 0.6 * room.axis_y + other_side * room.axis_z));
+    }
+    return cameras_around(room, directions, 1.0, up, aspect);
 }
 
 /// A candidate and the quality of its view.
@@ -295,20 +316,6 @@ std::vector<RatedCamera> best_cameras(const LitScene& lit_scene, const std::vect
     return rated;
 }
 
-/// The cameras in `outside` that look through hardly any backs and whose picture is filled well: those in front of an
-/// open side, or of an object.
-std::vector<Camera> unobstructed(const LitScene& lit_scene, const std::vector<Camera>& outside, double aspect)
-{
-    constexpr double most_backs = 0.01;
-    std::vector<Camera> result;
-    for (const Camera& camera : outside) {
-        const ViewQuality quality = view_quality(lit_scene, camera, aspect, fine_rows);
-        if (quality.back_share < most_backs && quality.escaped_share + quality.dark_share < 0.6)
-            result.push_back(camera);
-    }
-    return result;
-}
-
 /// The best of the candidates, found in two steps.
 std::optional<RatedCamera> best_of(const LitScene& lit_scene, const std::vector<Camera>& cameras, double aspect)
 {
@@ -319,15 +326,15 @@ std::optional<RatedCamera> best_of(const LitScene& lit_scene, const std::vector<
     return best.empty() ? std::nullopt : std::optional(best.front());
 }
 
-/// The best of all candidates in and around a room.
+/// The best of all candidates in and around a room. A camera in front of an open side or of an object, which looks
+/// through hardly any backs and whose picture is filled well, is preferred.
 Camera best_camera(const LitScene& lit_scene, const Room& room, double aspect, Vec3 up)
 {
-    const std::vector<Camera> outside = outside_cameras(room, up, field_of_view(45.0, 60.0, aspect), aspect);
-    const std::vector<Camera> open = unobstructed(lit_scene, outside, aspect);
-    if (!open.empty())
-        return best_cameras(lit_scene, open, aspect, fine_rows, 1).front().camera;
-
-    std::vector<Camera> cameras = outside;
+    constexpr double most_backs = 0.01;
+    std::vector<Camera> cameras = outside_cameras(room, up, aspect);
+    for (const auto& [camera, quality] : best_cameras(lit_scene, cameras, aspect, fine_rows, cameras.size()))
+        if (quality.back_share < most_backs && quality.escaped_share + quality.dark_share < 0.6)
+            return camera;
     const std::vector<Camera> inside = inside_cameras(room, up, aspect);
     cameras.insert(cameras.end(), inside.begin(), inside.end());
     append_behind_walls(room, up, field_of_view(54.0, 74.0, aspect), cameras);
@@ -365,37 +372,19 @@ std::optional<RatedCamera> best_indoor_camera(LitScene lit_scene, const Room& wh
     return best;
 }
 
-/// [scene units] The distance from the centre of a room at which a camera in this direction sees all of its box.
-double fitting_distance(const Room& room, Vec3 direction, double angle, double aspect)
-{
-    const double half_height = elementary::tan(0.5 * angle * radians_per_degree);
-    const Vec3 right = normalized(cross(room.axis_y, direction));
-    const Vec3 above = cross(direction, right);
-    double distance = 0.0;
-    for (const Vec3 point : room.corners()) {
-        const Vec3 corner = point - room.centre();
-        const double aside = std::max(std::abs(dot(corner, above)), std::abs(dot(corner, right)) / aspect);
-        distance = std::max(distance, aside / half_height + dot(corner, direction));
-    }
-    return distance;
-}
-
 /// The best of the cameras outdoors, around what rises above the ground.
 Camera best_outdoor_camera(const LitScene& lit_scene, const Room& whole, double aspect, Vec3 up)
 {
     const Room room = above_ground(lit_scene.scene, whole);
-    const double angle = field_of_view(45.0, 60.0, aspect);
-    const Vec3 centre = room.centre();
-    std::vector<Camera> cameras;
+    std::vector<Vec3> directions;
     for (int k = 0; k < 8; ++k) {
         const SinCos turn = sin_cos_of_turns((k + 0.5) / 8.0);
-        for (const double rise : {0.1, 0.4}) {
-            const Vec3 slant = normalized(turn.cos * room.axis_x + turn.sin * room.axis_z + rise * room.axis_y);
-            const double distance = fitting_distance(room, slant, angle, aspect);
-            cameras.push_back({centre + 1.1 * distance * slant, centre, up, angle});
-        }
+        for (const double rise : {0.1, 0.4})
+            directions.push_back(normalized(turn.cos * room.axis_x + turn.sin * room.axis_z + rise * room.axis_y));
     }
-    return best_cameras(lit_scene, cameras, aspect, fine_rows, 1).front().camera;
+    return best_cameras(lit_scene, cameras_around(room, directions, 1.1, up, aspect), aspect, fine_rows, 1)
+        .front()
+        .camera;
 }
 
 } // namespace

@@ -33,19 +33,14 @@ std::uint32_t crc32(const std::string& bytes)
 
 std::uint32_t adler32(const std::string& bytes)
 {
-    std::uint64_t sum = 1;
-    std::uint64_t sum_of_sums = 0;
-    std::size_t until_reduced = 1u << 20; // 64-bit sums do not overflow within 2^20 bytes
+    constexpr std::uint32_t modulus = 65521;
+    std::uint32_t sum = 1;
+    std::uint32_t sum_of_sums = 0;
     for (const char c : bytes) {
-        sum += static_cast<unsigned char>(c);
-        sum_of_sums += sum;
-        if (--until_reduced == 0) {
-            sum %= 65521;
-            sum_of_sums %= 65521;
-            until_reduced = 1u << 20;
-        }
+        sum = (sum + static_cast<unsigned char>(c)) % modulus;
+        sum_of_sums = (sum_of_sums + sum) % modulus;
     }
-    return static_cast<std::uint32_t>(sum_of_sums % 65521 << 16 | sum % 65521);
+    return sum_of_sums << 16 | sum;
 }
 
 } // namespace multipath

@@ -1,6 +1,7 @@
 #include "image/colour_scale.h"
 
 #include "base/elementary.h"
+#include "base/text_format.h"
 #include "image/tone_map.h"
 
 #include <algorithm>
@@ -181,17 +182,11 @@ double LegendScale::top() const
 
 std::string LegendScale::number(int step) const
 {
-    std::string digits = std::to_string(step * mantissa);
     if (step == 0)
-        return digits;
+        return "0";
     if (exponent < -5 || exponent > 3)
-        return digits + "e" + std::to_string(exponent);
-    if (exponent >= 0)
-        return digits + std::string(static_cast<std::size_t>(exponent), '0');
-    const auto decimals = static_cast<std::size_t>(-exponent);
-    if (digits.size() <= decimals)
-        digits.insert(0, decimals + 1 - digits.size(), '0');
-    return digits.insert(digits.size() - decimals, ".");
+        return std::to_string(step * mantissa) + "e" + std::to_string(exponent);
+    return format("%.*f", std::max(0, -exponent), step * mantissa * elementary::pow(10.0, exponent));
 }
 
 LegendScale round_scale(double reach)

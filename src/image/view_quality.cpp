@@ -114,30 +114,32 @@ double weight(const Surface& surface)
     return std::sqrt(surface.area());
 }
 
-/// Light of one side of a surface.
+/// Light of one side of a surface; none on a side without patches and on the sky.
 struct LitSide
 {
-    std::uint32_t first_patch;
-    std::uint32_t end_patch;
-    double radiosity; ///< [W/m^2] mean
-    double power;     ///< [W] reflected
+    double radiosity = 0.0; ///< [W/m^2] mean
+    double power = 0.0;     ///< [W] reflected
 };
+
+/// Index of the side of a surface that a patch belongs to.
+std::size_t side_of(const Scene& scene, std::uint32_t patch)
+{
+    return 2 * std::size_t{scene.surface_of(patch)} + (scene.is_front(patch) ? 0 : 1);
+}
 
 std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
-    std::vector<LitSide> sides;
-    for (const bool front : {true, false})
-        for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface) {
-            if ((!front && !scene.two_sided()) || scene.is_sky(surface))
-                continue;
-            const std::uint32_t first = scene.first_patch(surface, front);
-            const auto end = first + static_cast<std::uint32_t>(scene.tessellation(surface).cell_count());
-            const double area = scene.surfaces()[surface].area();
-            double power = 0.0;
-            for (std::uint32_t i = first; i < end; ++i)
-                power += scene.area(i) * mean(radiosity[i]);
-            sides.push_back({first, end, power / area, std::max(0.0, power - area * mean(scene.emittance(first)))});
-        }
+    std::vector<LitSide> sides(2 * scene.surfaces().size());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        if (scene.is_sky_patch(i))
+            continue;
+        LitSide& side = sides[side_of(scene, i)];
+        const double power = scene.area(i) * mean(radiosity[i]);
+        side.radiosity += power / scene.surfaces()[scene.surface_of(i)].area();
+        side.power += power - scene.area(i) * mean(scene.emittance(i));
+    }
+    for (LitSide& side : sides)
+        side.power = std::max(0.0, side.power);
     return sides;
 }
 
@@ -171,9 +173,8 @@ std::vector<bool> lit_patches(const Scene& scene, const std::vector<Rgb>& radios
     const double least = has_daylight(scene) ? night * daylight(scene) : lit_threshold(sides);
     const auto shows = [least](double light) { return light >= least && light > 0.0; };
     std::vector<bool> is_lit(scene.patch_count());
-    for (const LitSide& side : sides)
-        for (std::uint32_t i = side.first_patch; i < side.end_patch; ++i)
-            is_lit[i] = shows(side.radiosity) || shows(mean(radiosity[i]));
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        is_lit[i] = !scene.is_sky_patch(i) && (shows(sides[side_of(scene, i)].radiosity) || shows(mean(radiosity[i])));
     return is_lit;
 }
 

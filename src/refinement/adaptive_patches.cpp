@@ -43,10 +43,8 @@ std::vector<double> errors(const Scene& scene, const std::vector<Rgb>& radiosity
 Scene cut(const Scene& scene, const std::vector<double>& error, std::uint64_t wanted, int threads)
 {
     const auto cells = static_cast<std::uint32_t>(error.size());
-    std::vector<std::uint8_t> level(cells);
-    for (std::uint32_t surface = 0, i = 0; surface < scene.surfaces().size(); ++surface)
-        for (std::uint32_t cell = 0; cell < scene.tessellation(surface).cell_count(); ++cell, ++i)
-            level[i] = scene.tessellation(surface).level(cell);
+    std::vector<std::uint8_t> level = scene.levels();
+    level.resize(cells); // none are given if no cell is divided
     std::vector<std::uint32_t> order(cells);
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),

@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace multipath {
 
@@ -43,25 +42,25 @@ bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double
 
 } // namespace
 
-ShaftVisibility::ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets)
+ShaftVisibility::ShaftVisibility(const Scene& scene, std::size_t targets)
     : scene_(scene),
-      targets_(std::move(targets)),
+      targets_(targets),
       touching_(1e-6 * scene.bounds().diagonal()),
-      known_(scene.surfaces().size() <= most_surfaces && scene.patch_count() * targets_.size() <= most_pairs
-                 ? scene.patch_count() * targets_.size()
+      known_(scene.surfaces().size() <= most_surfaces && scene.patch_count() * targets <= most_pairs
+                 ? scene.patch_count() * targets
                  : 0)
 {
 }
 
-bool ShaftVisibility::is_fully_visible(std::uint32_t patch, std::size_t target) const
+bool ShaftVisibility::is_fully_visible(std::uint32_t patch, std::size_t number, std::uint32_t surface) const
 {
     if (patch == Scene::no_patch || known_.empty())
         return false;
     // Threads that test the same pair at the same time get the same result, so relaxed atomics suffice.
-    std::atomic<std::uint8_t>& known = known_[patch * targets_.size() + target];
+    std::atomic<std::uint8_t>& known = known_[patch * targets_ + number];
     std::uint8_t state = known.load(std::memory_order_relaxed);
     if (state == 0) {
-        state = find(patch, targets_[target]) ? fully_visible : not_certain;
+        state = find(patch, surface) ? fully_visible : not_certain;
         known.store(state, std::memory_order_relaxed);
     }
     return state == fully_visible;
@@ -129,7 +128,7 @@ private:
 } // namespace
 
 SourceLight::SourceLight(const Scene& scene)
-    : scene_(scene), sources_(sources_of(scene)), shafts_(scene, surfaces_of(sources_))
+    : scene_(scene), sources_(sources_of(scene)), shafts_(scene, sources_.size())
 {
 }
 
@@ -148,14 +147,6 @@ std::vector<SourceLight::Source> SourceLight::sources_of(const Scene& scene)
         sources.push_back({surface, emittance, power, shape.centre(), radius});
     }
     return sources;
-}
-
-std::vector<std::uint32_t> SourceLight::surfaces_of(const std::vector<Source>& sources)
-{
-    std::vector<std::uint32_t> surfaces;
-    for (const Source& source : sources)
-        surfaces.push_back(source.surface);
-    return surfaces;
 }
 
 /// Importance for sampling: roughly proportional to the unoccluded irradiance by the source, namely its power over the
@@ -197,7 +188,7 @@ SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, 
         if (!(form_factor > 0.0))
             continue;
         const Rgb irradiance = weight * form_factor * source.emittance;
-        if (shafts_.is_fully_visible(receiver.patch, k))
+        if (shafts_.is_fully_visible(receiver.patch, k, source.surface))
             result.clear += irradiance;
         else
             result.views.push_back({source.surface, outline, form_factor, irradiance});

@@ -18,19 +18,20 @@ namespace multipath {
 class ShaftVisibility
 {
 public:
-    /// `targets`: indices of surfaces. The scene must outlive this object. In a large scene, of more than 1000 surfaces
-    /// or 2^24 pairs, the tests would cost too much time or memory: none is made, and no pair counts as fully visible.
-    ShaftVisibility(const Scene& scene, std::vector<std::uint32_t> targets);
+    /// `targets`: number of target surfaces. The scene must outlive this object. In a large scene, of more than 1000
+    /// surfaces or 2^24 pairs, the tests would cost too much time or memory: none is made, and no pair counts as fully
+    /// visible.
+    ShaftVisibility(const Scene& scene, std::size_t targets);
 
-    /// True if certainly nothing lies between any point of the patch and any point of the target, false if something
-    /// may. `target`: index into `targets`. False for Scene::no_patch.
-    bool is_fully_visible(std::uint32_t patch, std::size_t target) const;
+    /// True if certainly nothing lies between any point of the patch and any point of target `number`, which is always
+    /// the same `surface`; false if something may. False for Scene::no_patch.
+    bool is_fully_visible(std::uint32_t patch, std::size_t number, std::uint32_t surface) const;
 
 private:
     bool find(std::uint32_t patch, std::uint32_t target) const;
 
     const Scene& scene_;
-    std::vector<std::uint32_t> targets_;
+    std::size_t targets_;
     double touching_; ///< [scene units] a surface that reaches less deep into the hull only touches it
     /// Per patch and target: 0 unknown, 1 false, 2 true; empty in a large scene.
     mutable std::vector<std::atomic<std::uint8_t>> known_;
@@ -87,7 +88,6 @@ private:
     };
 
     static std::vector<Source> sources_of(const Scene& scene);
-    static std::vector<std::uint32_t> surfaces_of(const std::vector<Source>& sources);
     static double importance(const Source& source, const GatherPoint& receiver);
     SourceViews source_views(const GatherPoint& receiver, double offset) const;
 

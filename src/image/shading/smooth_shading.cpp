@@ -103,10 +103,16 @@ bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerG
     return false;
 }
 
+/// Stores a value in the slots of a group. Every slot belongs to one group, so that threads can do so at the same time.
+void put(const CornerGroup& group, Rgb value, std::vector<Rgb>& corners)
+{
+    for (const std::size_t slot : group.slots)
+        corners[slot] = value;
+}
+
 /// Joins groups at one position: the value of each becomes the weighted mean of itself and the groups it is joined to.
-template <class Put>
 void join_coinciding(const Scene& scene, const std::vector<Vec3>& normals,
-                     const std::vector<const CornerGroup*>& groups, const Put& put)
+                     const std::vector<const CornerGroup*>& groups, std::vector<Rgb>& corners)
 {
     const std::size_t count = groups.size();
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of groups that may join
@@ -121,27 +127,35 @@ void join_coinciding(const Scene& scene, const std::vector<Vec3>& normals,
         points.insert(points.end(), group->points.begin(), group->points.end());
     if (points.empty())
         return;
-    const NearbyOccluders occluders(scene, normals, points);
-    std::vector<bool> joined(count * count);
-    for (const auto& [i, j] : pairs)
-        joined[i * count + j] = joined[j * count + i] = joins(occluders, *groups[i], *groups[j]);
-    for (std::size_t i = 0; i < count; ++i) {
-        Rgb sum;
+    struct Sum
+    {
+        Rgb value;
         double weight = 0.0;
-        for (std::size_t j = 0; j < count; ++j)
-            if (joined[i * count + j]) {
-                sum += groups[j]->weight * groups[j]->value;
-                weight += groups[j]->weight;
-            }
+
+        void add(const CornerGroup& group)
+        {
+            value += group.weight * group.value;
+            weight += group.weight;
+        }
+    };
+    std::vector<Sum> others(count);
+    const NearbyOccluders occluders(scene, normals, points);
+    for (const auto& [i, j] : pairs)
+        if (joins(occluders, *groups[i], *groups[j])) {
+            others[i].add(*groups[j]);
+            others[j].add(*groups[i]);
+        }
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto [sum, weight] = others[i];
+        const CornerGroup& own = *groups[i];
         if (weight > 0.0)
-            put(*groups[i], 1.0 / (groups[i]->weight + weight) * (sum + groups[i]->weight * groups[i]->value));
+            put(own, 1.0 / (own.weight + weight) * (sum + own.weight * own.value), corners);
     }
 }
 
-/// Joins coinciding groups of different surfaces. Calls put(group, value) for each group whose value changes.
-template <class Put>
+/// Joins coinciding groups of different surfaces.
 void join_borders(const Scene& scene, const std::vector<Vec3>& normals, const std::deque<CornerGroup>& groups,
-                  int threads, const Put& put)
+                  int threads, std::vector<Rgb>& corners)
 {
     // Sorted also by slot, so that sums do not depend on the sorting algorithm.
     std::vector<std::tuple<std::uint64_t, std::size_t, const CornerGroup*>> order;
@@ -162,7 +176,7 @@ void join_borders(const Scene& scene, const std::vector<Vec3>& normals, const st
               [](const auto& a, const auto& b) { return a.front()->slots.front() < b.front()->slots.front(); });
     parallel_numbers(static_cast<std::uint32_t>(coinciding.size()), threads, [&](std::uint32_t k) {
         if (coinciding[k].size() <= most_joined)
-            join_coinciding(scene, normals, coinciding[k], put);
+            join_coinciding(scene, normals, coinciding[k], corners);
     });
 }
 
@@ -178,8 +192,7 @@ void interpolate_hanging_nodes(const std::deque<CornerGroup>& groups, std::vecto
                      [](const CornerGroup* a, const CornerGroup* b) { return a->edge->level < b->edge->level; });
     for (const CornerGroup* group : hanging) {
         const CornerGroup::Edge& edge = *group->edge;
-        for (const std::size_t slot : group->slots)
-            corners[slot] = (1.0 - edge.share) * corners[edge.from] + edge.share * corners[edge.to];
+        put(*group, (1.0 - edge.share) * corners[edge.from] + edge.share * corners[edge.to], corners);
     }
 }
 
@@ -189,11 +202,6 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
 {
     const Scene& scene = patches.scene();
     std::vector<Rgb> corners(CornerLattice::per_cell * slopes.size());
-    // Every slot belongs to one group, so that threads can call put() at the same time.
-    const auto put = [&corners](const CornerGroup& group, Rgb value) {
-        for (const std::size_t slot : group.slots)
-            corners[slot] = value;
-    };
     std::vector<Vec3> normals;
     for (const Surface& surface : scene.surfaces())
         normals.push_back(surface.normal());
@@ -205,28 +213,26 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
             for (const bool front : {true, false})
                 if (chosen[surface] != 0 && (front || scene.two_sided()))
                     sides.emplace_back(surface, front);
-        const std::uint64_t sides_together = 1 + sides.size() / 256; // few, as surfaces differ in size
-        const Blocks blocks = {sides.size(), sides_together};
-        BlockBuffers<std::vector<CornerGroup>> found(threads);
-        const auto find = [&](std::uint64_t block, int slot) {
-            found[slot].clear();
-            for (std::uint64_t k = blocks.first(block); k < blocks.first(block + 1); ++k)
+        std::vector<std::vector<CornerGroup>> found(sides.size());
+        const auto count = static_cast<std::uint32_t>(sides.size());
+        const std::uint32_t together = 1 + count / 256; // few, as surfaces differ in size
+        parallel_ranges(count, together, threads, [&](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t k = first; k < end; ++k)
                 for (CornerGroup& group : corner_groups(patches, slopes, sides[k].first, sides[k].second)) {
                     if (regions.contains(group.surface))
                         group.value = regions.value(group).value_or(group.value);
-                    put(group, group.value);
+                    put(group, group.value, corners);
                     if (group.edge || group.on_border)
-                        found[slot].push_back(std::move(group));
+                        found[k].push_back(std::move(group));
                 }
-        };
-        ordered_blocks(blocks.count(), threads, find, [&](std::uint64_t, int slot) {
-            std::move(found[slot].begin(), found[slot].end(), std::back_inserter(groups));
         });
+        for (std::vector<CornerGroup>& of_side : found)
+            std::move(of_side.begin(), of_side.end(), std::back_inserter(groups));
     };
     add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
     if (!shown.empty())
         add(surfaces_beside(scene, shown, groups, threads));
-    join_borders(scene, normals, groups, threads, put);
+    join_borders(scene, normals, groups, threads, corners);
     interpolate_hanging_nodes(groups, corners);
     return corners;
 }
