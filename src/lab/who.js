@@ -16,14 +16,13 @@ function cosine_direction(normal) {
 // { from, to, light }.
 function lights_of(patch, room, radiosity) {
   const s = room.surface_of(patch), outline = room.patch_outline(patch), back = room.is_back(patch);
-  const middle = times(1 / outline.length, outline.reduce(plus));
   const normal = times(back ? -1 : 1, normalized(cross(room.edge_u(s), room.edge_v(s))));
   const light = new Map(), rays = [];
   let all = 0;
   for (let ray = 0; ray < rays_of_patch; ++ray) {
     const [a, b] = [outline[0], outline[outline.length - 1]], [u, v] = [Math.random(), Math.random()];
     const along = minus(outline[1], a), up = minus(b, a), turn = outline.length === 3 && u + v > 1;
-    const start = outline.length > 4 ? middle : plus(a, plus(times(turn ? 1 - u : u, along), times(turn ? 1 - v : v, up)));
+    const start = plus(a, plus(times(turn ? 1 - u : u, along), times(turn ? 1 - v : v, up)));
     const hit = room.nearest_hit(plus(start, times(1e-6 * room.size, normal)), cosine_direction(normal));
     if (!hit || hit.patch === null)
       continue;

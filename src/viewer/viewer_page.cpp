@@ -103,57 +103,21 @@ PackedLight packed_light(const std::vector<Rgb>& values)
     return packed;
 }
 
+std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+{
+    const SmoothShading shading(scene, values_per_patch, threads);
+    std::vector<Rgb> result;
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+        for (const Rgb value : shading.at_corners(patch))
+            result.push_back(value);
+    return result;
+}
+
 // The sources of the page are an ordinary web page: page.html refers to its style sheet and its scripts, each on a line
 // of its own. Here the texts of these files replace the lines. The data of the room, a JSON document, replace a comment
-// of the page, so that the result is one self-contained file. The document (docs/builders/page.md) holds surfaces and
-// their grids of cells, not patches: room.js cuts the surfaces into patches as Tessellation does.
+// of the page, so that the result is one self-contained file. docs/builders/page.md describes the document.
 
 namespace {
-
-/// Index of a grid point, row by row. The rows of a triangle get shorter.
-std::size_t grid_number(const Tessellation& tessellation, GridPoint point)
-{
-    const std::size_t row = point.j;
-    const std::size_t missing = tessellation.shape == Shape::triangle && row > 0 ? row * (row - 1) / 2 : 0;
-    return row * (tessellation.cells_u + std::size_t{1}) - missing + point.i;
-}
-
-std::size_t grid_size(const Tessellation& tessellation)
-{
-    const std::uint32_t last = tessellation.shape == Shape::triangle ? 0 : tessellation.cells_u;
-    return grid_number(tessellation, {last, tessellation.cells_v}) + 1;
-}
-
-/// Appends the corner values of the patches on one side of a surface.
-void append_side(const Scene& scene, std::uint32_t surface, bool front, const SmoothShading& shading,
-                 CornerValues& result)
-{
-    const std::uint32_t first_patch = scene.first_patch(surface, front);
-    const Tessellation& tessellation = scene.tessellation(surface);
-    const std::size_t first = result.shared.size();
-    if (tessellation.trees) { // four values for each patch, none of them shared
-        for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell)
-            for (const Rgb value : shading.at_corners(first_patch + cell))
-                result.shared.push_back(value);
-        return;
-    }
-    result.shared.resize(first + grid_size(tessellation));
-    std::vector<bool> known(grid_size(tessellation), false);
-    for (std::uint32_t cell = 0; cell < tessellation.cell_count(); ++cell) {
-        const CellCorners corners = tessellation.corners(cell);
-        const std::array<Rgb, 4> values = shading.at_corners(first_patch + cell);
-        for (std::uint32_t k = 0; k < corners.count; ++k) {
-            const std::size_t number = grid_number(tessellation, corners.points[k]);
-            if (!known[number]) {
-                known[number] = true;
-                result.shared[first + number] = values[k];
-            } else if (result.shared[first + number] != values[k]) {
-                result.slots.push_back(4 * (first_patch + cell) + k);
-                result.own.push_back(values[k]);
-            }
-        }
-    }
-}
 
 double six_digits(double value)
 {
@@ -253,7 +217,8 @@ JsonObject surfaces_json(const Scene& scene, int threads)
 {
     std::vector<std::uint8_t> triangles;
     std::vector<double> geometry;
-    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> grids;
+    std::vector<std::uint32_t> cells; // negative numbers as their two's complement
     std::vector<std::uint32_t> covered;
     const Vec3 origin = mesh_origin(scene);
     for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
@@ -262,8 +227,13 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         for (const Vec3& v : {surface.origin - origin, surface.edge_u, surface.edge_v})
             for (const double x : {v.x, v.y, v.z})
                 geometry.push_back(x);
-        cells.push_back(scene.tessellation(s).cells_u);
-        cells.push_back(scene.tessellation(s).cells_v);
+        const Tessellation& cut = scene.tessellation(s);
+        grids.insert(grids.end(), {cut.grid_u(), cut.grid_v(), scene.first_patch(s)});
+        for (std::uint32_t cell = 0; cell < cut.cell_count(); ++cell) {
+            const CellCorners corners = cut.corners(cell);
+            const GridPoint first = corners.points[0];
+            cells.insert(cells.end(), {first.i, first.j, corners.points[1].i - first.i});
+        }
     }
     const std::vector<bool> is_covered = covered_patches(scene, threads);
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
@@ -273,8 +243,8 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         .numbers("origin", coordinates(origin))
         .text("triangles", packed_bytes(triangles))
         .text("geometry", packed_numbers(geometry))
+        .text("grids", packed_counts(grids))
         .text("cells", packed_counts(cells))
-        .text("levels", packed_bytes(scene.levels()))
         .text("materials", packed_counts(scene.file().material))
         .text("groups", packed_counts(scene.file().group))
         .text("lines", packed_counts(scene.file().line))
@@ -362,50 +332,25 @@ JsonObject legend_json(const std::vector<double>& values)
     return JsonObject().number("top", scale.top()).texts("numbers", numbers);
 }
 
-/// Adds light in the packed format, which is precise enough for a screen.
-void add_light(JsonObject& json, const std::string& key, const std::vector<Rgb>& values)
-{
-    const PackedLight packed = packed_light(values);
-    json.text(key, packed.words);
-    json.number(key + "_unit", packed.unit);
-}
-
 /// [1] Reflectances of the patches, if the scene has textures; without them the materials suffice.
-JsonObject reflectances_json(const Scene& scene)
+std::string packed_reflectances(const Scene& scene)
 {
-    JsonObject json;
-    if (scene.file().textures.empty())
-        return json;
     std::vector<Rgb> reflectances;
-    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
+    for (std::uint32_t patch = 0; !scene.file().textures.empty() && patch < scene.patch_count(); ++patch)
         reflectances.push_back(scene.reflectance(patch));
-    add_light(json, "light", reflectances);
-    return json;
+    return packed_colours(reflectances);
 }
 
-/// Adds the values at the corners of the patches, without the detail of textures. Own values follow the shared ones in
-/// one list, so that they have the same unit.
-void add_corners(JsonObject& json, const Scene& scene, const std::vector<Rgb>& values, int threads)
-{
-    CornerValues corners = corner_values(scene, without_texture(scene, values), threads);
-    corners.shared.insert(corners.shared.end(), corners.own.begin(), corners.own.end());
-    add_light(json, "corners", corners.shared);
-    json.text("own_places", packed_counts(corners.slots));
-}
-
-/// A quantity. The values of the first one are the result itself and are given in single precision.
-JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, bool first, int threads)
+/// A quantity. Light at the corners of the patches is without the detail of textures.
+JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, int threads)
 {
     JsonObject json;
-    json.text("key", quantity.key);
-    json.text("title", quantity.title);
-    json.text("unit", quantity.unit);
+    json.text("key", quantity.key).text("title", quantity.title).text("unit", quantity.unit);
     if (quantity.colours == ViewerColours::light) {
-        if (first)
-            json.text("values", packed_colours(quantity.values));
-        else
-            add_light(json, "light", quantity.values);
-        add_corners(json, scene, quantity.values, threads);
+        const PackedLight corners =
+            packed_light(corner_values(scene, without_texture(scene, quantity.values), threads));
+        json.text("values", packed_colours(quantity.values));
+        json.text("corners", corners.words).number("corners_unit", corners.unit);
         return json;
     }
     std::vector<double> means;
@@ -421,7 +366,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
 {
     std::vector<JsonObject> quantities;
     for (const ViewerQuantity& quantity : content.quantities)
-        quantities.push_back(quantity_json(scene, quantity, quantities.empty(), content.render.threads));
+        quantities.push_back(quantity_json(scene, quantity, content.render.threads));
     std::vector<JsonObject> chapters;
     for (const ViewerChapter& chapter : content.chapters)
         chapters.push_back(chapter_json(chapter, mesh_origin(scene)));
@@ -434,7 +379,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .object("surfaces", surfaces_json(scene, content.render.threads))
         .objects("materials", materials_json(scene))
         .objects("textures", textures_json(scene))
-        .object("reflectances", reflectances_json(scene))
+        .text("reflectances", packed_reflectances(scene))
         .texts("groups", scene.file().groups)
         .object("camera", camera_json(content.camera))
         .object("tone", tone_json(scene, content))
@@ -491,19 +436,6 @@ std::string room_element(const Scene& scene, const ViewerContent& content)
 }
 
 } // namespace
-
-CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
-{
-    const SmoothShading shading(scene, values_per_patch, threads);
-    CornerValues result;
-    const auto surfaces = static_cast<std::uint32_t>(scene.surfaces().size());
-    for (std::uint32_t surface = 0; surface < surfaces; ++surface)
-        append_side(scene, surface, true, shading, result);
-    if (scene.two_sided())
-        for (std::uint32_t surface = 0; surface < surfaces; ++surface)
-            append_side(scene, surface, false, shading, result);
-    return result;
-}
 
 std::string viewer_page(const Scene& scene, const ViewerContent& content)
 {

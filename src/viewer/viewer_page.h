@@ -83,22 +83,9 @@ constexpr const char* room_data_end = "</script>";
 /// A self-contained page (HTML) to walk through the solved room in a browser. The page loads no other file.
 std::string viewer_page(const Scene& scene, const ViewerContent& content);
 
-/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading). Most patches share the
-/// value at a grid point of their surface. In some places they do not, as on both sides of a wall that stands on the
-/// surface; a patch then has its own value.
-struct CornerValues
-{
-    /// Fronts of all surfaces, then backs if the scene is two-sided; for each the grid points (i, j), i fastest. Rows
-    /// of a triangle get shorter.
-    std::vector<Rgb> shared;
-    /// Corners with an own value: 4 * patch + index of the corner in Scene::corners().
-    std::vector<std::uint32_t> slots;
-    std::vector<Rgb> own; ///< own value for each entry of `slots`
-};
-
-/// Computes the corner values. On a surface that quadtrees divide (tessellation.h), `shared` holds four values per
-/// patch, those of its corners (the fourth of a triangle is 0), instead of grid points.
-CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
+/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading): four per patch, in the
+/// order of Scene::corners(); the fourth of a triangle is 0.
+std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 /// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws
 /// std::logic_error for an unknown name.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 namespace viewer_page_test {
@@ -82,48 +81,6 @@ SceneBuilder shapes()
     return builder.rectangle({0, 50, 0}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.5, 1.0));
 }
 
-/// The value at the corner of a patch, put together as the page does it.
-class Assembled
-{
-public:
-    Assembled(const Scene& scene, const CornerValues& corners) : scene_(scene), corners_(corners)
-    {
-        for (std::size_t n = 0; n < corners.slots.size(); ++n)
-            own_[corners.slots[n]] = corners.own[n];
-        std::size_t first = 0;
-        for (int side = 0; side < (scene.two_sided() ? 2 : 1); ++side)
-            for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
-                first_.push_back(first);
-                const Tessellation& t = scene.tessellation(s);
-                const std::size_t n = t.cells_u;
-                first += t.shape == Shape::triangle ? (n + 1) * (n + 2) / 2 : (n + 1) * (t.cells_v + 1);
-            }
-        count_ = first;
-    }
-
-    std::size_t count() const { return count_; }
-    Rgb at(std::uint32_t patch, std::uint32_t k) const
-    {
-        const auto own = own_.find(4 * patch + k);
-        if (own != own_.end())
-            return own->second;
-        const std::uint32_t surface = scene_.surface_of(patch);
-        const Tessellation& t = scene_.tessellation(surface);
-        const GridPoint point = scene_.corners(patch).points[k];
-        std::size_t number = point.i; // counted row by row
-        for (std::size_t row = 0; row < point.j; ++row)
-            number += t.cells_u + 1 - (t.shape == Shape::triangle ? row : 0);
-        return corners_.shared[first_[surface + (scene_.is_front(patch) ? 0 : scene_.surfaces().size())] + number];
-    }
-
-private:
-    const Scene& scene_;
-    const CornerValues& corners_;
-    std::map<std::uint32_t, Rgb> own_;
-    std::vector<std::size_t> first_;
-    std::size_t count_ = 0;
-};
-
 } // namespace
 
 TEST_CASE("a page is complete in itself: its scripts and styles are in it, and nothing is loaded")
@@ -172,22 +129,33 @@ TEST_CASE("the page holds the surfaces and how they are cut, and the values of t
 
     const std::string triangles = base64_decoded(text_of(json, "triangles"));
     const std::vector<float> geometry = float32_array(text_of(json, "geometry"));
+    const std::vector<std::uint32_t> grids = uint32_array(text_of(json, "grids"));
     const std::vector<std::uint32_t> cells = uint32_array(text_of(json, "cells"));
     REQUIRE(triangles.size() == 7);
     REQUIRE(geometry.size() == 9 * 7);
-    REQUIRE(cells.size() == 2 * 7);
-    std::uint32_t first = 0;
+    REQUIRE(grids.size() == 3 * 7);
+    REQUIRE(cells.size() == 3 * scene.patch_count());
     for (std::uint32_t s = 0; s < 7; ++s) {
         const Surface& surface = scene.surfaces()[s];
         CHECK(triangles[s] == (s == 6 ? 1 : 0));
         CHECK(geometry[9 * s + 1] == doctest::Approx(surface.origin.y)); // to the 24 bits of a float
         CHECK(geometry[9 * s + 3] == doctest::Approx(surface.edge_u.x));
         CHECK(geometry[9 * s + 8] == doctest::Approx(surface.edge_v.z));
-        // From the cells follow the numbers of the patches.
-        CHECK(scene.first_patch(s) == first);
-        first += cells[2 * s] * cells[2 * s + 1];
+        CHECK(grids[3 * s + 2] == scene.first_patch(s));
     }
-    CHECK(first == scene.patch_count());
+    // The corners of all patches follow from their cells.
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        const std::uint32_t s = scene.surface_of(patch);
+        const auto size = static_cast<std::int32_t>(cells[3 * patch + 2]);
+        const auto share = [&](std::size_t k, double step) {
+            return (cells[3 * patch + k] + step * size) / grids[3 * s + k];
+        };
+        const Surface& cell = scene.patch(patch).shape;
+        const Surface& surface = scene.surfaces()[s];
+        CHECK(length(surface.at(share(0, 0), share(1, 0)) - cell.at(0, 0)) < 1e-9);
+        CHECK(length(surface.at(share(0, 1), share(1, 0)) - cell.at(1, 0)) < 1e-9);
+        CHECK(length(surface.at(share(0, 0), share(1, 1)) - cell.at(0, 1)) < 1e-9);
+    }
     CHECK(uint32_array(text_of(json, "materials")) == scene.file().material);
 
     const std::vector<float> radiosity = float32_array(text_of(json, "values"));
@@ -245,7 +213,7 @@ TEST_CASE("a legend reaches to the 99th percentile, and says where there is more
     CHECK(last_number().find('+') == std::string::npos);
 }
 
-TEST_CASE("shared and own values together are those of smooth shading")
+TEST_CASE("values at the corners of patches are those of smooth shading")
 {
     for (const bool two_sided : {false, true}) {
         const Scene scene = shapes().scene(0.5, two_sided);
@@ -254,17 +222,12 @@ TEST_CASE("shared and own values together are those of smooth shading")
             const double x = bits_to_unit(random_bits(1, patch));
             values.push_back({1.0 + x, 2.0 * x, patch + 1.0});
         }
-        const CornerValues corners = corner_values(scene, values, 1);
-        const Assembled assembled(scene, corners);
-        CHECK(corners.shared.size() == assembled.count());
+        const std::vector<Rgb> corners = corner_values(scene, values, 1);
+        REQUIRE(corners.size() == 4 * scene.patch_count());
         const SmoothShading shading(scene, values, 1);
         for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
-            for (std::uint32_t k = 0; k < scene.corners(patch).count; ++k)
-                if (scene.material_of(patch).emittance == Rgb{}) // of the surface, whichever side
-                    CHECK(assembled.at(patch, k) == shading.at_corners(patch)[k]);
-        // The floor has other values on the two sides of the wall: five or six points of its grid lie below it.
-        CHECK(corners.slots.size() >= 5);
-        CHECK(corners.slots.size() < scene.patch_count());
+            for (std::size_t k = 0; k < 4; ++k)
+                CHECK(corners[4 * patch + k] == shading.at_corners(patch)[k]);
     }
 }
 

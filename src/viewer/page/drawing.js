@@ -1,25 +1,42 @@
 'use strict';
-// Draws the room, one buffer of surfaces whose pixels look up their values in textures, and marks on top of it.
+// Draws the room, patches whose pixels look up their values in textures, and marks on top of it.
 
 // The shaders (GLSL ES 3.00).
 
-// Surfaces are drawn whole: every pixel looks up its patch, or the values at the corners of the patch, from its
-// position (u, v) on the surface, as the program itself does. So patches cost no geometry, and there are no seams
-// between them.
+// Where texel n of a texture with rows of 2048 texels is. Without divisions, which take a fourth of the time in software
+// renderers.
+const texel_of = `
+ivec2 place_of(int n) { return ivec2(n & 2047, n >> 11); }
+vec3 texel(sampler2D values, int n) { return texelFetch(values, place_of(n), 0).rgb; }`;
+
+// A patch is two triangles, which the shader places from its cell on the grid of its surface.
 const room_vertex_shader = `#version 300 es
 precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp isampler2D;
 uniform mat4 to_clip;
-in vec3 position;
-in vec2 corner;
-in uvec3 numbers;   // cells along u and v (0: a triangle), the first patch
-in vec2 on_texture;
-out vec2 place;
+uniform isampler2D cells;     // of each patch of the fronts: the corner at its origin, its size, its surface
+uniform sampler2D surfaces;   // six texels each: origin and the two edges; then the texture coordinates of these and, in
+                              // blue, the steps of the grid along the edges, and 1 for a triangle
+out vec2 place;               // on the patch, from 0 to 1 along its edges
 out vec2 texture_place;
-flat out uvec3 surface;
+flat out ivec2 surface;       // patch, 1 in a triangle
+${texel_of}
 void main() {
-  place = corner;
-  surface = numbers;
-  texture_place = on_texture;
+  int patch_number = gl_VertexID / 6, k = gl_VertexID - 6 * patch_number;
+  ivec4 cell = texelFetch(cells, place_of(patch_number), 0);
+  int first = 6 * cell.w;
+  vec3 across = texel(surfaces, first + 3), along = texel(surfaces, first + 4), last = texel(surfaces, first + 5);
+  bool triangle = last.z > 0.0;
+  k = k < 3 ? k : triangle ? 0 : k == 3 ? 2 : k == 4 ? 1 : 3; // the second triangle of a triangle is empty
+  vec2 corner = vec2(k & 1, k >> 1);
+  const float overlap = 1e-3;   // of patches, so that no gaps are seen beside smaller ones
+  place = corner * (1.0 + (triangle ? 3.0 : 2.0) * overlap) - overlap;
+  vec2 p = (vec2(cell.xy) + float(cell.z) * place) / vec2(across.z, along.z);
+  texture_place = across.xy + p.x * along.xy + p.y * last.xy;
+  surface = ivec2(patch_number, triangle);
+  vec3 position = texel(surfaces, first) + p.x * texel(surfaces, first + 1) + p.y * texel(surfaces, first + 2);
   gl_Position = to_clip * vec4(position, 1.0);
 }`;
 
@@ -31,7 +48,7 @@ uniform sampler2D patch_values;   // one texel per patch, row by row
 uniform sampler2D corner_values;  // four per patch
 uniform sampler2D arrived;        // radiosity that the traced lines have brought, one texel per patch
 uniform sampler2D colour_map;
-uniform uint backs_patch;         // the first patch of the backs
+uniform int backs_patch;          // the first patch of the backs
 uniform float patch_scale;        // from texels to the tone curve, or to the colour map
 uniform float corner_scale;
 uniform float arrived_scale;      // 0: no trace is shown
@@ -46,25 +63,18 @@ uniform vec3 emitted;             // emittance of fronts, scaled for the tone cu
 uniform vec3 contrast;            // reflectance where the texture is white over the mean reflectance
 in vec2 place;
 in vec2 texture_place;
-flat in uvec3 surface;
+flat in ivec2 surface;
 out vec4 colour;
-
-// Texel n of a texture with rows of 2048 texels. Without divisions, which take a fourth of the time in software
-// renderers.
-vec3 texel(sampler2D values, uint n) { return texelFetch(values, ivec2(int(n & 2047u), int(n >> 11)), 0).rgb; }
-
-uint index_of(float x, uint cells) { return uint(clamp(floor(x), 0.0, float(cells - 1u))); }
+${texel_of}
 
 // Interpolates the values at the corners of a patch: bilinear, or barycentric on a triangle. The four texels of a patch
 // hold its corners counter-clockwise.
-vec3 between_corners(uint number, vec2 f, bool triangle, bool upper) {
-  vec3 first = texel(corner_values, 4u * number), second = texel(corner_values, 4u * number + 1u);
-  vec3 third = texel(corner_values, 4u * number + 2u);
-  if (triangle && upper)
-    return (f.x + f.y - 1.0) * first + (1.0 - f.x) * second + (1.0 - f.y) * third;
+vec3 between_corners(int number, vec2 f, bool triangle) {
+  vec3 first = texel(corner_values, 4 * number), second = texel(corner_values, 4 * number + 1);
+  vec3 third = texel(corner_values, 4 * number + 2);
   if (triangle)
     return (1.0 - f.x - f.y) * first + f.x * second + f.y * third;
-  return mix(mix(first, second, f.x), mix(texel(corner_values, 4u * number + 3u), third, f.x), f.y);
+  return mix(mix(first, second, f.x), mix(texel(corner_values, 4 * number + 3), third, f.x), f.y);
 }
 
 vec3 curve(vec3 x) {
@@ -93,23 +103,16 @@ float border(vec2 p, bool triangle) {
 }
 
 void main() {
-  bool triangle = surface.y == 0u;
-  uint rows = triangle ? surface.x : surface.y;
-  vec2 p = place * vec2(float(surface.x), float(rows));
-  uint i = index_of(p.x, surface.x);
-  uint j = min(index_of(p.y, rows), triangle ? surface.x - 1u - i : rows);
-  bool upper = triangle && i + j + 1u < surface.x && p.x - float(i) + p.y - float(j) > 1.0;
-  uint cell = triangle ? i * (2u * surface.x - i) + 2u * j + (upper ? 1u : 0u) : i * rows + j;
-  uint number = surface.z + cell + (gl_FrontFacing ? 0u : backs_patch);
+  bool triangle = surface.y == 1;
+  int number = surface.x + (gl_FrontFacing ? 0 : backs_patch);
 
   vec3 shown;
   if (false_colours) {
     float value = texel(patch_values, number).r;
     shown = value < 0.0 ? nothing : texture(colour_map, vec2(clamp(value * patch_scale, 0.0, 1.0), 0.5)).rgb;
   } else {
-    vec2 within = clamp(p - vec2(float(i), float(j)), 0.0, 1.0);
-    vec3 light = smooth_shading ? corner_scale * between_corners(number, within, triangle, upper)
-                                                   : patch_scale * texel(patch_values, number);
+    vec3 light = smooth_shading ? corner_scale * between_corners(number, clamp(place, 0.0, 1.0), triangle)
+                                : patch_scale * texel(patch_values, number);
     vec3 emission = gl_FrontFacing ? emitted : vec3(0.0);
     if (textured && smooth_shading)
       light = emission + contrast * texture(image, texture_place).rgb * max(light - emission, 0.0);
@@ -119,7 +122,7 @@ void main() {
   }
   if (borders) {
     vec3 ink = vec3(dot(shown, vec3(0.299, 0.587, 0.114)) > 0.15 ? 0.0 : 1.0);
-    shown = mix(shown, ink, 0.4 * border(p, triangle));
+    shown = mix(shown, ink, 0.4 * border(place, triangle));
   }
   colour = vec4(shown, 1.0);
 }`;
@@ -197,14 +200,15 @@ class Drawing {
   // Draws this room from now on.
   set_room(room) {
     const gl = this.gl;
-    for (const buffer of this.surface_buffers || [])
-      gl.deleteBuffer(buffer);
-    gl.deleteVertexArray(this.surface_array || null);
+    gl.deleteTexture(this.cells || null);
+    gl.deleteTexture(this.surfaces || null);
     this.images.forEach(texture => gl.deleteTexture(texture));
     this.images = [];
     this.forget([]);
     this.room = room;
-    this.make_surfaces();
+    this.cells = this.texture('cells', this.cell_numbers());
+    this.surfaces = this.texture('colours', this.surface_numbers());
+    this.make_groups();
   }
 
   // Deletes the textures of all values but these.
@@ -232,7 +236,7 @@ class Drawing {
       const { name } = gl.getActiveUniform(program, k);
       uniforms[name] = gl.getUniformLocation(program, name);
     }
-    return { program, uniforms, attribute: name => gl.getAttribLocation(program, name) };
+    return { program, uniforms };
   }
 
   // Decodes the textures of the room. The colours of the files are sRGB; the graphics processor converts them to linear
@@ -263,55 +267,40 @@ class Drawing {
     }
   }
 
-  // Makes the vertex buffer: the corners of the pieces of all surfaces, sorted by textured material, each with its
-  // numbers for the shader.
-  make_surfaces() {
-    const gl = this.gl, room = this.room, words = 10; // 3 + 2 numbers, 3 counts, 2 numbers
-    const pieces = [], kind = s => room.shows_texture(s) ? room.material[s] : -1;
-    for (let s = 0; s < room.surface_count; ++s)
-      for (const piece of room.pieces(s))
-        pieces.push([s, piece]);
-    pieces.sort(([a], [b]) => kind(a) - kind(b));
-    const corner_count = pieces.reduce((sum, [, { corners }]) => sum + corners.length, 0);
-    const numbers = new Float32Array(words * corner_count), counts = new Uint32Array(numbers.buffer);
-    const indices = new Uint32Array(3 * (corner_count - 2 * pieces.length));
-    let n = 0, used = 0;
-    this.groups = []; // ranges of indices with the same material: { material, first, count }
-    for (const [s, { corners, places, cells, patch }] of pieces) {
-      const first = n;
-      corners.forEach(([u, v], k) => {
-        numbers.set([...room.point(s, u, v), ...places[k]], words * n);
-        counts.set([cells[0], room.triangles[s] ? 0 : cells[1], patch], words * n + 5);
-        if (kind(s) >= 0)
-          numbers.set(room.texture_place(s, u, v), words * n + 8);
-        ++n;
-      });
-      if (this.groups.length === 0 || this.groups[this.groups.length - 1].material !== kind(s))
-        this.groups.push({ material: kind(s), first: used, count: 0 });
-      for (let k = 2; k < corners.length; ++k) {
-        indices.set([first, first + k - 1, first + k], used);
-        used += 3;
-      }
-      this.groups[this.groups.length - 1].count += 3 * (corners.length - 2);
+  // The numbers of all surfaces for the shader. Texture coordinates are counted from the top row, as images are stored.
+  surface_numbers() {
+    const room = this.room, numbers = new Float32Array(18 * room.surface_count);
+    for (let s = 0; s < room.surface_count; ++s) {
+      const [a, b, c, d, e, f] = room.shows_texture(s) ? room.frames.subarray(6 * s, 6 * s + 6) : [0, 0, 0, 0, 0, 0], [n, m] = room.grid(s);
+      numbers.set([...room.origin(s), ...room.edge_u(s), ...room.edge_v(s), a, 1 - b, n, c, -d, m, e, -f, room.triangles[s]], 18 * s);
     }
-    this.surface_array = gl.createVertexArray();
-    gl.bindVertexArray(this.surface_array);
-    this.surface_buffers = [gl.createBuffer(), gl.createBuffer()];
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.surface_buffers[0]);
-    gl.bufferData(gl.ARRAY_BUFFER, numbers.subarray(0, words * n), gl.STATIC_DRAW);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.surface_buffers[1]);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices.subarray(0, used), gl.STATIC_DRAW);
-    const [position, corner, numbers_at, on_texture] =
-      ['position', 'corner', 'numbers', 'on_texture'].map(this.room_program.attribute);
-    gl.enableVertexAttribArray(position);
-    gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 4 * words, 0);
-    gl.enableVertexAttribArray(corner);
-    gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 4 * words, 12);
-    gl.enableVertexAttribArray(numbers_at);
-    gl.vertexAttribIPointer(numbers_at, 3, gl.UNSIGNED_INT, 4 * words, 20);
-    gl.enableVertexAttribArray(on_texture);
-    gl.vertexAttribPointer(on_texture, 2, gl.FLOAT, false, 4 * words, 32);
-    gl.bindVertexArray(null);
+    return numbers;
+  }
+
+  // The numbers of all patches for the shader. A size of 0 hides a patch.
+  cell_numbers() {
+    const room = this.room, numbers = new Int32Array(4 * room.cell_count);
+    for (let k = 0; k < room.cell_count; ++k) {
+      numbers[4 * k] = room.cells[3 * k];
+      numbers[4 * k + 1] = room.cells[3 * k + 1];
+      numbers[4 * k + 2] = room.is_seen(k) ? room.cells[3 * k + 2] : 0;
+      numbers[4 * k + 3] = room.surface[k];
+    }
+    return numbers;
+  }
+
+  // Makes the groups of successive patches that are drawn together: { material, first, end }, with the textured material
+  // that they show, or -1.
+  make_groups() {
+    const { room } = this;
+    this.groups = [];
+    for (let s = 0; s < room.surface_count; ++s) {
+      const material = room.shows_texture(s) ? room.material[s] : -1, last = this.groups[this.groups.length - 1];
+      if (!last || last.material !== material)
+        this.groups.push({ material, first: room.first_patch(s), end: room.first_patch(s + 1) });
+      else
+        last.end = room.first_patch(s + 1);
+    }
   }
 
   // A texture of values in rows; the last row is padded.
@@ -319,7 +308,8 @@ class Drawing {
     const gl = this.gl, result = gl.createTexture();
     const [channels, internal, format, type] = {
       colours: [3, gl.RGB32F, gl.RGB, gl.FLOAT],
-      light: [1, gl.RGB9_E5, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV],
+      cells: [4, gl.RGBA32I, gl.RGBA_INTEGER, gl.INT],
+      corners: [1, gl.RGB9_E5, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV],
       means: [1, gl.R32F, gl.RED, gl.FLOAT],
     }[kind];
     const count = list.length / channels, width = Math.min(texels_per_row, count), height = Math.ceil(count / width);
@@ -374,7 +364,7 @@ class Drawing {
     gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
     let offset = 0;
     for (const [name, size] of [['from', 3], ['to', 3], ['ink', 4], ['width', 1]]) {
-      const attribute = this.mark_program.attribute(name);
+      const attribute = gl.getAttribLocation(this.mark_program.program, name);
       gl.enableVertexAttribArray(attribute);
       gl.vertexAttribPointer(attribute, size, gl.FLOAT, false, 4 * words, offset);
       gl.vertexAttribDivisor(attribute, 1);
@@ -425,15 +415,15 @@ class Drawing {
     const textures = {
       patch_values: this.texture_of(values.patches),
       corner_values: look.smooth && values.corners ? this.texture_of(values.corners) : this.texture_of(values.patches),
-      arrived: this.arrived, colour_map: this.colour_map };
+      arrived: this.arrived, colour_map: this.colour_map, cells: this.cells, surfaces: this.surfaces };
     Object.entries(textures).forEach(([name, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(uniforms[name], unit);
     });
-    gl.uniform1i(uniforms.image, 4);
+    gl.uniform1i(uniforms.image, 6);
     gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
-    gl.uniform1ui(uniforms.backs_patch, this.room.cell_count);
+    gl.uniform1i(uniforms.backs_patch, this.room.cell_count);
     gl.uniform1f(uniforms.patch_scale, look.scale * values.patches.unit);
     gl.uniform1f(uniforms.corner_scale, look.scale * (values.corners ? values.corners.unit : 1));
     gl.uniform1f(uniforms.arrived_scale, look.arrived_scale);
@@ -442,24 +432,22 @@ class Drawing {
     gl.uniform1i(uniforms.false_colours, values.light ? 0 : 1);
     gl.uniform1i(uniforms.borders, look.borders ? 1 : 0);
     gl.uniform3f(uniforms.nothing, 0.13, 0.13, 0.14);
-    gl.bindVertexArray(this.surface_array);
     for (const group of this.groups)
       this.draw_group(group, look);
-    gl.bindVertexArray(null);
-    gl.activeTexture(gl.TEXTURE0 + 5); // new textures are filled in a unit that is not drawn from
+    gl.activeTexture(gl.TEXTURE0 + 7); // new textures are filled in a unit that is not drawn from
   }
 
-  // Draws the surfaces of one textured material, or all that show no texture.
-  draw_group({ material, first, count }, look) {
+  // Draws the patches of one textured material, or all that show no texture.
+  draw_group({ material, first, end }, look) {
     const gl = this.gl, { uniforms } = this.room_program;
     const { texture, white, reflectance, emittance } = material < 0 ? {} : this.room.materials[material];
     const image = this.images[texture];
-    gl.activeTexture(gl.TEXTURE0 + 4);
+    gl.activeTexture(gl.TEXTURE0 + 6);
     gl.bindTexture(gl.TEXTURE_2D, image || this.blank);
     gl.uniform1i(uniforms.textured, image ? 1 : 0);
     gl.uniform3fv(uniforms.emitted, image ? times(look.scale, emittance) : [0, 0, 0]);
     gl.uniform3fv(uniforms.contrast, image ? white.map((w, k) => reflectance[k] > 0 ? w / reflectance[k] : 0) : [1, 1, 1]);
-    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
+    gl.drawArrays(gl.TRIANGLES, 6 * first, 6 * (end - first));
   }
 
   // Draws the marks; parts hidden by the room are seen faintly through it.

@@ -1,16 +1,10 @@
 'use strict';
 // Quantities that can be shown: values of patches, as light or in false colours.
 
-// Red, green and blue of a colour with a shared exponent (RGB9_E5).
-function shared_exponent_colour(word) {
-  const scale = 2 ** ((word >>> 27) - 24);
-  return [(word & 511) * scale, (word >>> 9 & 511) * scale, (word >>> 18 & 511) * scale];
-}
-
 // Values for a texture, unpacked when they are first needed.
 class Values {
   constructor(kind, unit, unpack) {
-    this.kind = kind; // 'colours': three numbers each; 'light': one packed word each; 'means': one number each
+    this.kind = kind; // 'colours': three numbers each; 'means': one number each; 'corners': one packed word each
     this.unit = unit;
     this.unpack = unpack;
   }
@@ -19,39 +13,22 @@ class Values {
 
   // Value n as a list of one or three numbers.
   at(n) {
-    if (this.kind === 'colours')
-      return Array.from(this.list.subarray(3 * n, 3 * n + 3));
-    if (this.kind === 'light')
-      return times(this.unit, shared_exponent_colour(this.list[n]));
-    return [this.list[n]];
+    const size = this.kind === 'colours' ? 3 : 1;
+    return Array.from(this.list.subarray(size * n, size * (n + 1)));
   }
 }
 
-const light_values = data => new Values('light', data.light_unit, () => counts_of(data.light));
+const colours_of = text => new Values('colours', 1, () => numbers_of(text));
 
-// Packed light at the corners of patches. The list holds the shared values of grid points, then the own values of some
-// corners.
-function corner_words(data, room) {
-  const words = counts_of(data.corners), places = counts_of(data.own_places), shared = words.length - places.length;
-  const result = room.patch_corners(words);
-  places.forEach((place, k) => { result[place] = words[shared + k]; });
-  return result;
-}
-
-// Light of the patches, and of their corners for smooth shading.
-const light_of = (data, room) => ({
-  light: true,
-  patches: data.values ? new Values('colours', 1, () => numbers_of(data.values))
-                       : light_values(data),
-  corners: new Values('light', data.corners_unit, () => corner_words(data, room)),
-});
-const means_of = data => ({ light: false, patches: new Values('means', 1, () => numbers_of(data.means)) });
+// Light of the patches, and of their corners for smooth shading; or one number for each patch.
+const values_of = data => data.means ? { light: false, patches: new Values('means', 1, () => numbers_of(data.means)) }
+  : { light: true, patches: colours_of(data.values), corners: new Values('corners', data.corners_unit, () => counts_of(data.corners)) };
 
 class Quantities {
-  constructor(data, room) {
+  constructor(data) {
     this.list = data.quantities.map(quantity => ({
       key: quantity.key, title: quantity.title, unit: quantity.unit, legend: quantity.legend,
-      ...(quantity.means ? means_of(quantity) : light_of(quantity, room)),
+      ...values_of(quantity),
     }));
     this.colour_map = bytes_of(data.colour_map);
   }

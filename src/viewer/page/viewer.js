@@ -29,7 +29,7 @@ class Viewer {
   // Shows other results in the same room, as it is seen now.
   show_light(data) {
     this.drawing.forget(this.other ? [this.other.patches, this.other.corners] : []);
-    this.quantities = new Quantities(data, this.room);
+    this.quantities = new Quantities(data);
     this.trace = new Trace(data.trace, this.room);
     this.drawing.set_colour_map(this.quantities.colour_map);
     this.scales = data.tone.scales;
