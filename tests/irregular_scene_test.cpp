@@ -231,9 +231,13 @@ TEST_CASE("a page says the same of every surface, material and patch")
     for (std::uint64_t key = 1; key <= 2; ++key)
         content.quantities.push_back({key == 1 ? "radiosity" : "more", key == 1 ? "Radiosity" : "More", "W",
                                       ViewerColours::light, irregular_values(scene.patch_count(), key)});
-    ViewerLine line{{"line 3", {{{1, 2, 3}, {4, 5, 6}, false}, {{4, 5, 6}, {7, 8, 9.5}, true}}, {{4, 5, 6}}}, {}};
-    line.transfers = {{1, 5, 7, {1, 1, 2}, {3, 4, 4}, {6, 5, 6}}, {0, 6, Scene::no_patch, {2, 2, 2}, {}, {9, 8, 7}}};
-    content.chapters = {{"Title", "Note.", {line}}};
+    TracedLine line;
+    line.points = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9.5}};
+    line.joins = {false, true};
+    line.crossings = {{{}, {4, 5, 6}, {}}};
+    line.transfers = {{1, 5, 7, {1, 1, 2}, {3, 4, 4}, {6, 5, 6}, {}},
+                      {0, 6, Segment::behind, {2, 2, 2}, {}, {9, 8, 7}, {}}};
+    content.chapters.emplace_back().lines = {line};
     const std::string page = viewer_page(scene, content);
     const std::size_t begin = page.find(room_data_begin) + std::string(room_data_begin).size();
     const JsonValue room = JsonReader(page.substr(begin, page.find(room_data_end, begin) - begin)).document();
@@ -241,6 +245,7 @@ TEST_CASE("a page says the same of every surface, material and patch")
     const JsonValue& surfaces = room["surfaces"];
     const std::string triangles = base64_decoded(surfaces["triangles"].text);
     const std::vector<float> geometry = float32_array(surfaces["geometry"].text);
+    const std::vector<std::uint32_t> grids = uint32_array(surfaces["grids"].text);
     const std::vector<std::uint32_t> cells = uint32_array(surfaces["cells"].text);
     const std::vector<float> frames = float32_array(surfaces["texture_frames"].text);
     REQUIRE(geometry.size() == 9 * file.surfaces.size());
@@ -249,8 +254,17 @@ TEST_CASE("a page says the same of every surface, material and patch")
         CAPTURE(s);
         const Surface& surface = file.surfaces[s];
         CHECK(triangles[s] == (surface.shape == Shape::triangle ? 1 : 0));
-        CHECK(cells[2 * s] == scene.tessellation(s).cells_u);
-        CHECK(cells[2 * s + 1] == scene.tessellation(s).cells_v);
+        const Tessellation& cut = scene.tessellation(s);
+        CHECK(grids[3 * s] == cut.grid_u());
+        CHECK(grids[3 * s + 1] == cut.grid_v());
+        CHECK(grids[3 * s + 2] == scene.first_patch(s));
+        for (std::uint32_t k = 0; k < cut.cell_count(); ++k) {
+            const std::size_t place = 3 * (std::size_t{scene.first_patch(s)} + k);
+            const CellCorners corners = cut.corners(k);
+            CHECK(cells[place] == corners.points[0].i);
+            CHECK(cells[place + 1] == corners.points[0].j);
+            CHECK(cells[place] + cells[place + 2] == corners.points[1].i);
+        }
         std::size_t at = 9 * s;
         for (const Vec3 v : {surface.origin - mesh_origin(scene), surface.edge_u, surface.edge_v})
             for (const double x : {v.x, v.y, v.z})
@@ -267,8 +281,6 @@ TEST_CASE("a page says the same of every surface, material and patch")
     CHECK(uint32_array(surfaces["materials"].text) == file.material);
     CHECK(uint32_array(surfaces["groups"].text) == file.group);
     CHECK(uint32_array(surfaces["lines"].text) == file.line);
-    const std::vector<std::uint8_t> levels = scene.levels();
-    CHECK(base64_decoded(surfaces["levels"].text) == std::string(levels.begin(), levels.end()));
     std::vector<std::uint32_t> covered;
     const std::vector<bool> is_covered = covered_patches(scene, 1);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -295,15 +307,20 @@ TEST_CASE("a page says the same of every surface, material and patch")
     for (std::size_t k = 0; k < file.groups.size(); ++k)
         CHECK(room["groups"][k].text == file.groups[k]);
 
-    const std::vector<Rgb> reflectances = unpacked(room["reflectances"], "light");
-    const std::vector<Rgb> more = unpacked(room["quantities"][1], "light");
-    const std::vector<float> first = float32_array(room["quantities"][0]["values"].text);
-    REQUIRE(more.size() == scene.patch_count());
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        CHECK(nearly(reflectances.at(i), scene.reflectance(i), 2e-3));
-        CHECK(nearly(more[i], content.quantities[1].values[i], 2e-3));
-        CHECK(
-            nearly({first.at(3 * i), first.at(3 * i + 1), first.at(3 * i + 2)}, content.quantities[0].values[i], 1e-6));
+    const auto check_colours = [&](const JsonValue& packed, const auto& right) {
+        const std::vector<float> found = float32_array(packed.text);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            CHECK(nearly({found.at(3 * i), found.at(3 * i + 1), found.at(3 * i + 2)}, right(i), 1e-6));
+    };
+    check_colours(room["reflectances"], [&](std::uint32_t i) { return scene.reflectance(i); });
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::vector<Rgb>& values = content.quantities[k].values;
+        check_colours(room["quantities"][k]["values"], [&](std::uint32_t i) { return values[i]; });
+        const std::vector<Rgb> right = corner_values(scene, without_texture(scene, values), 1);
+        const std::vector<Rgb> corners = unpacked(room["quantities"][k], "corners");
+        REQUIRE(corners.size() == right.size());
+        for (std::size_t n = 0; n < right.size(); ++n)
+            CHECK(nearly(corners[n], right[n], 4e-3));
     }
     CHECK(room["lines"].count() == 4321);
     CHECK(room["shown"].count() == 1);
@@ -317,9 +334,8 @@ TEST_CASE("a page says the same of every surface, material and patch")
 
     const JsonValue& told = room["trace"][0]["lines"][0];
     CHECK(numbers(told["points"]) == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9.5});
-    CHECK(told["bold"].text == "01");
+    CHECK(numbers(told["joins"]) == std::vector<double>{0, 1});
     CHECK(numbers(told["crossings"]) == std::vector<double>{4, 5, 6});
-    CHECK(told["transfers"][0]["segment"].count() == 1);
     CHECK(told["transfers"][0]["from"].count() == 5);
     CHECK(told["transfers"][0]["to"].count() == 7);
     CHECK(told["transfers"][1]["to"].text == "null");

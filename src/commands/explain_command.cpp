@@ -5,11 +5,10 @@
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
-#include "commands/explain/trace_drawing.h"
 #include "commands/explain/trace_text.h"
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
-#include "transport/lines/global_lines.h"
+#include "explain/line_drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -45,18 +44,6 @@ Stage read_stage(const CommandLine& line)
     return {stage, static_cast<std::size_t>(read_count("--stage", text.substr(before_pass.size()), 1)) - 1};
 }
 
-LineDrawing drawing_of(const TracedRun& run, const StageTrace& trace)
-{
-    LineDrawing drawing;
-    drawing.title = trace.drawing;
-    drawing.subtitle = run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence;
-    if (trace.from_outside && chords_of(run.options) == Chords::box)
-        drawing.box = run.scene.bounds();
-    else if (trace.from_outside)
-        drawing.sphere = DrawnSphere{run.scene.bounds().centre(), 0.5 * run.scene.bounds().diagonal()};
-    return drawing;
-}
-
 int run_explain(const CommandLine& line)
 {
     require_options_with_effect(line);
@@ -75,11 +62,8 @@ int run_explain(const CommandLine& line)
         print_note(warning + "\n");
     const TracedRun run{scene, options, line.text("method"), sequence};
     const StageTrace trace = stage.tracer->trace(scene, options, range);
-    LineDrawing drawing = drawing_of(run, trace);
-    drawing.up = up;
-    drawing.comments = provenance(line, scene);
     for (PlannedOutput& output : outputs)
-        output.file.write(draw_lines(scene, drawn_lines(trace), drawing));
+        output.file.write(draw_lines(run, trace, up, provenance(line, scene)));
     commit(outputs);
     if (std::find(paths.begin(), paths.end(), "-") == paths.end())
         print(trace_text(run, trace));

@@ -29,7 +29,7 @@ StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint6
                         std::uint64_t directions, const Bundle& bundle)
 {
     StageTrace trace;
-    trace.heading = "First direction";
+    trace.title = "Lines of one direction of transillumination";
     trace.context = {
         "Before it the first shot took " + counted(shot_lines, "ray", "rays") +
             ". The power that patches reflected from them is unshot, and " + counted(rays, "ray", "rays") +
@@ -42,11 +42,8 @@ StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint6
             format(" %.4g%cm^2 of it. ", bundle.section(), tied_space) +
             "Along a line that joins two patches, each sends the other its radiosity times twice that, over the number "
             "of directions (P1)."};
-    trace.drawing = "Lines of one direction of transillumination";
-    trace.chapter = "Parallel lines";
-    trace.chapter_note = "Parallel lines cross the whole scene. Where one leaves a patch and meets another, the two "
-                         "exchange power according to their radiosities after the last iteration.";
-    trace.which = "lines along the first of " + grouped(directions) + " directions";
+    trace.note = "Parallel lines cross the whole scene. Where one leaves a patch and meets another, the two "
+                 "exchange power according to their radiosities after the last iteration.";
     trace.kind = "line";
     trace.count = bundle.count();
     return trace;
@@ -58,7 +55,7 @@ void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
 {
     const auto sends = [&](std::size_t after, std::uint32_t from, std::uint32_t to) {
         line.transfers.push_back({after, from, to, sent(from), {}, sent(from)});
-        line.notes.push_back({patch_name(scene, from) + " sends " + watts(sent(from)) + destination(scene, to)});
+        line.notes.push_back(patch_name(scene, from) + " sends " + watts(sent(from)) + destination(scene, to));
     };
     line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back());
     for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
@@ -69,7 +66,7 @@ void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
             sends(after, segment.to, segment.from);
     }
     if (line.crossings.empty())
-        line.notes.push_back({"meets nothing"});
+        line.notes.push_back("meets nothing");
 }
 
 } // namespace

@@ -55,39 +55,30 @@ std::string power_sent(const Scene& scene, double crossings_per_area, bool both)
            "and with it all power that it holds: what it has received and reflected since it last sent (M1).";
 }
 
-constexpr std::size_t name_column = 13; // where the patches of a segment are named
-constexpr std::size_t indent = 15;      // of the lines below, about the power that they send
-
-/// "2 - 3", filled up to the column of the names.
+/// "2 - 3": the numbers of the hits at the ends of a segment.
 std::string segment_number(const TracedLine& line, std::size_t after)
 {
-    std::string text = (after == 0 ? "start" : std::to_string(after)) + tied_space + "-" + tied_space +
-                       (after == line.crossings.size() ? "end" : std::to_string(after + 1));
-    text.resize(std::max(text.size() + 1, name_column - 2), tied_space);
-    return text;
+    return (after == 0 ? "start" : std::to_string(after)) + tied_space + "-" + tied_space +
+           (after == line.crossings.size() ? "end" : std::to_string(after + 1));
 }
 
-/// Adds notes about the power that a patch sends, and its fate. `number` of the segment is told with its first
-/// transfer.
-void tell_transfer(const Scene& scene, const Transfer& transfer, const std::string& number, std::vector<Note>& notes)
+/// What is told about the power that a patch sends, and its fate.
+std::string transfer_text(const Scene& scene, const Transfer& transfer)
 {
     const bool received = Segment::is_patch(transfer.to);
-    const std::string ends =
-        patch_name(scene, transfer.from) + " -> " + (received ? patch_name(scene, transfer.to) : "nowhere");
-    notes.push_back({number + ends, number.empty() ? name_column : 2, indent});
+    std::string text = patch_name(scene, transfer.from) + " -> " +
+                       (received ? patch_name(scene, transfer.to) : "nowhere") + " sends" + tied_space;
     if (transfer.sent() == Rgb{})
-        notes.push_back({"sends nothing: it has no forecast and holds nothing", indent, indent});
+        text += "nothing: it has no forecast and holds nothing";
     else
-        notes.push_back({"sends forecast " + colour_text(transfer.forecast) + " + held " + colour_text(transfer.held) +
-                             " = " + watts(transfer.sent()) + (received ? "" : ", " + loss(transfer.to)),
-                         indent, indent + 2});
+        text += std::string("forecast") + tied_space + colour_text(transfer.forecast) + " + held " +
+                colour_text(transfer.held) + " = " + watts(transfer.sent()) +
+                (received ? "" : ", " + loss(transfer.to));
     if (received)
-        notes.push_back({"patch " + std::to_string(transfer.to) + " reflects " +
-                             colour_text(scene.reflectance(transfer.to)) + " of what arrives and then holds " +
-                             watts(transfer.then_held),
-                         indent, indent + 2});
-    else
-        notes.push_back({"then holds nothing", indent, indent});
+        return text + "; patch " + std::to_string(transfer.to) + " reflects " +
+               colour_text(scene.reflectance(transfer.to)) + " of what arrives and then holds " +
+               watts(transfer.then_held);
+    return text + "; it then holds nothing";
 }
 
 /// Lets the walk follow segment `after` of the line, and records what the patches at its ends send and then hold.
@@ -105,20 +96,18 @@ void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, Po
         sends(segment.to, segment.from);
     walk.follow(segment);
 
-    std::string number = segment_number(line, after);
+    const std::string number = segment_number(line, after) + "  ";
     if (transfers.empty())
-        line.notes.push_back({number + "begins on a side without patches: nothing is sent along it", 2, indent});
+        line.notes.push_back(number + "begins on a side without patches: nothing is sent along it");
     for (Transfer& transfer : transfers) {
         if (Segment::is_patch(transfer.to))
             transfer.then_held = walk.at(transfer.to).held;
-        tell_transfer(scene, transfer, number, line.notes);
+        line.notes.push_back(number + transfer_text(scene, transfer));
         line.transfers.push_back(transfer);
-        number.clear();
     }
     if (!bidirectional && segment.joins_patches())
-        line.notes.push_back(
-            {"patch " + std::to_string(segment.from) + " then holds " + watts(walk.at(segment.from).held), indent,
-             indent + 2});
+        line.notes.push_back(number + "patch " + std::to_string(segment.from) + " then holds " +
+                             watts(walk.at(segment.from).held));
 }
 
 /// Traces the power along a line through the scene.
@@ -134,32 +123,27 @@ void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& wal
     }
     if (line.points.front() == line.points.back())
         line.notes.push_back(
-            {"the two points are equal: a chord of length 0, which is counted as cast and meets nothing"});
+            "the two points are equal: a chord of length 0, which is counted as cast and meets nothing");
     else if (line.crossings.empty())
-        line.notes.push_back({"meets nothing: it is cast, as (G1) counts it, but carries no power"});
+        line.notes.push_back("meets nothing: it is cast, as (G1) counts it, but carries no power");
     else if (line.notes.empty())
-        line.notes.push_back({"the line meets only sides without patches: it carries no power"});
+        line.notes.push_back("the line meets only sides without patches: it carries no power");
 }
 
 /// The stage without its lines.
 StageTrace global_stage(const Scene& scene, const SolveOptions& options, const FirstStageRun& before)
 {
     StageTrace trace;
-    trace.heading = "Global pass";
+    trace.title = "Lines of the global pass";
     trace.context = {before_the_pass(before) + "The pass distributes it with " +
                          counted(before.lines_charged, "global line", "global lines") +
                          lines_drawn(chords_of(options) == Chords::box, before.lines_cast),
                      power_sent(scene, before.crossings_per_area, options.bidirectional),
                      "Power flows where a line leaves one patch and arrives at another, which the columns 'leaves' and "
                      "'arrives at' of two successive rows show."};
-    trace.drawing = "Lines of the global pass";
-    trace.chapter = "Global lines";
-    trace.chapter_note =
+    trace.note =
         "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
         "sends its forecast, a share of what was unshot, and all that it has received and reflected since.";
-    trace.which = "lines";
-    if (before.local_lines > 0)
-        trace.which += ", after " + grouped(before.local_lines) + " rays of the first shot";
     trace.kind = "line";
     trace.from_outside = true;
     trace.count = before.lines_cast;

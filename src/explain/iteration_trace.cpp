@@ -22,10 +22,10 @@ TracedLine trace_ray(const Scene& scene, const LineOrigin& origin, const Iterati
 {
     TracedLine line = traced_ray(scene, origin, ray.from, ray.to, "");
     line.transfers.push_back({0, ray.from, ray.to, {}, ray.sent, ray.sent});
-    line.notes.push_back({sender_text(scene, ray.from, ray.from_density, ray.sent) + destination(scene, ray.to)});
+    line.notes.push_back(sender_text(scene, ray.from, ray.from_density, ray.sent) + destination(scene, ray.to));
     if (ray.to_density > 0.0) {
         line.transfers.push_back({0, ray.to, ray.from, {}, ray.returned, ray.returned});
-        line.notes.push_back({sender_text(scene, ray.to, ray.to_density, ray.returned) + " back"});
+        line.notes.push_back(sender_text(scene, ray.to, ray.to_density, ray.returned) + " back");
     }
     return line;
 }
@@ -34,7 +34,7 @@ TracedLine trace_ray(const Scene& scene, const LineOrigin& origin, const Iterati
 StageTrace iteration_stage(std::uint64_t series_rays, std::uint64_t rays, bool bidirectional)
 {
     StageTrace trace;
-    trace.heading = "First iteration";
+    trace.title = "Rays of a stochastic Jacobi iteration";
     trace.context = {"Before it, a Neumann series of " + counted(series_rays, "ray", "rays") +
                          " gave a first estimate of all light. Each iteration improves it: every patch sends all its "
                          "power, emitted and reflected, by rays in proportion to it, in the first one " +
@@ -44,11 +44,8 @@ StageTrace iteration_stage(std::uint64_t series_rays, std::uint64_t rays, bool b
                            "the other, each patch sends its radiosity over d + e along every ray between them, "
                            "whichever patch the ray leaves (J2)."
                          : "If d rays per m^2 leave a patch, it sends its radiosity over d along each of them (J1)."};
-    trace.drawing = "Rays of a stochastic Jacobi iteration";
-    trace.chapter = "First iteration";
-    trace.chapter_note = "All patches send their power, emitted and reflected, by rays in proportion to it";
-    trace.chapter_note += bidirectional ? "; a ray also brings back what the patch at its end sends." : ".";
-    trace.which = "rays, after " + grouped(series_rays) + " rays of a first estimate";
+    trace.note = "All patches send their power, emitted and reflected, by rays in proportion to it";
+    trace.note += bidirectional ? "; a ray also brings back what the patch at its end sends." : ".";
     trace.kind = "ray";
     trace.count = rays;
     return trace;

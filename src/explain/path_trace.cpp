@@ -52,7 +52,7 @@ void trace_paths(const Scene& scene, const SolveOptions& options, const Particle
         particles.follow(n, {path.origin.numbers}, paths);
         for (const ParticleStep& step : paths.steps) {
             const std::string ends = append_step(scene, step, path.notes.size() + 1, path);
-            path.notes.push_back({ends + carried(step, paths.steps.front().from, path), 2, 5});
+            path.notes.push_back(ends + carried(step, paths.steps.front().from, path));
         }
         trace.lines.push_back(path);
     }
@@ -65,7 +65,7 @@ StageTrace trace_particles(const Scene& scene, const SolveOptions& options, cons
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
     StageTrace trace;
-    trace.heading = "Local Monte Carlo";
+    trace.title = "Particles of local Monte Carlo";
     trace.context = {
         "The sources, " + counted(particles.shots().size(), "patch", "patches") + ", send " +
         counted(particles.count(), "particle", "particles") +
@@ -75,12 +75,8 @@ StageTrace trace_particles(const Scene& scene, const SolveOptions& options, cons
         (options.estimator == Estimator::collision
              ? "Wherever it arrives, its power is scored as arrived (L1)."
              : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1).")};
-    trace.drawing = "Particles of local Monte Carlo";
-    trace.chapter = "Particles";
-    trace.chapter_note =
-        "Particles leave the sources and are reflected from patch to patch, until they are absorbed or "
-        "leave the scene.";
-    trace.which = "particles";
+    trace.note = "Particles leave the sources and are reflected from patch to patch, until they are absorbed or "
+                 "leave the scene.";
     trace.kind = "particle";
     trace_paths(scene, options, particles, range, trace,
                 [&](const ParticleStep& step, std::uint32_t, TracedLine& path) -> std::string {
@@ -103,7 +99,7 @@ StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tr
         first_walks(scene, {options.lines, options.estimator, first_item, options.seed}, options.threads);
     require_in_stage(range, walks.count(), "walks");
     StageTrace trace;
-    trace.heading = "Gathering random walks";
+    trace.title = "Gathering random walks";
     trace.context = {
         "The walks start at the patches whose light is wanted, in proportion to the square root of their area, " +
         counted(walks.count(), "walk", "walks") +
@@ -115,11 +111,8 @@ StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tr
                "added to the irradiance of the first patch (W1)."
              : "Where it ends, the emittance there over 1 - reflectance, and over the number of walks of the "
                "first patch, is added to the irradiance of the first patch (W1).")};
-    trace.drawing = "Gathering random walks";
-    trace.chapter = "Walks";
-    trace.chapter_note = "Walks leave the patches whose light is wanted and are reflected from patch to patch until "
-                         "they end. Where they meet a source, its light is added to the patch where they started.";
-    trace.which = "walks of the first round";
+    trace.note = "Walks leave the patches whose light is wanted and are reflected from patch to patch until "
+                 "they end. Where they meet a source, its light is added to the patch where they started.";
     trace.kind = "walk";
     trace_paths(scene, options, walks, range, trace,
                 [&](const ParticleStep& step, std::uint32_t first, TracedLine& path) -> std::string {

@@ -23,14 +23,14 @@ TracedLine trace_ray(const Scene& scene, const Shot& shot, const LineOrigin& ori
     TracedLine line = traced_ray(scene, origin, shot.patch, where, " with " + watts(power));
     line.transfers.push_back({0, shot.patch, where, {}, power, power});
     if (!Segment::is_patch(where)) {
-        line.notes.push_back({"carries " + watts(power) + ", " + loss(where)});
+        line.notes.push_back("carries " + watts(power) + ", " + loss(where));
         return line;
     }
     line.transfers.back().then_held = state.unshot[where];
     const Rgb rho = scene.reflectance(where);
-    line.notes.push_back({patch_name(scene, where) + " receives " + watts(power) + " and reflects " + colour_text(rho) +
-                          " of it: " + watts(rho * power) + " more is unshot; it then has " +
-                          watts(state.unshot[where]) + " unshot"});
+    line.notes.push_back(patch_name(scene, where) + " receives " + watts(power) + " and reflects " + colour_text(rho) +
+                         " of it: " + watts(rho * power) + " more is unshot; it then has " +
+                         watts(state.unshot[where]) + " unshot");
     return line;
 }
 
@@ -69,10 +69,8 @@ void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 /// The stage without its rays. `threshold` [W/m^2]: unshot radiosity above which patches shoot.
 StageTrace shot_stage(const std::vector<ShotPass>& passes, std::size_t pass, std::size_t shooters, double threshold)
 {
-    const std::string number = std::to_string(pass + 1);
     StageTrace trace;
-    trace.heading = (pass == 0 ? "First shot, pass " : "Extended first shot, pass ") + number + " of " +
-                    std::to_string(passes.size()) + ",";
+    trace.title = "Rays of pass " + std::to_string(pass + 1) + " of the first shot";
     trace.context = {"A patch whose unshot radiosity exceeds the threshold" +
                      format(", %.4g W/m^2 (4), shoots the excess. ", threshold) + "In this pass " +
                      counted(shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", passes[pass].power) +
@@ -81,11 +79,8 @@ StageTrace shot_stage(const std::vector<ShotPass>& passes, std::size_t pass, std
                      "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
                      "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
                      "until a later pass or the global lines send it on (S1)."};
-    trace.drawing = "Rays of pass " + number + " of the first shot";
-    trace.chapter = "First shot";
-    trace.chapter_note = "Rays carry the light of the sources to the patches that they see, all with the same power. "
-                         "What a patch reflects of it is unshot until it is sent on.";
-    trace.which = "rays";
+    trace.note = "Rays carry the light of the sources to the patches that they see, all with the same power. "
+                 "What a patch reflects of it is unshot until it is sent on.";
     trace.kind = "ray";
     trace.count = passes[pass].lines;
     return trace;

@@ -28,15 +28,22 @@ struct TracedRange
     bool includes(std::uint64_t number) const { return number >= first && number - first < count; }
 };
 
-/// The traces of some lines of one stage of a run, and what readers must know about the stage.
+/// The run to which traced lines belong. Scene and options must outlive the object.
+struct TracedRun
+{
+    const Scene& scene;
+    const SolveOptions& options;
+    std::string method;   ///< name for --method
+    std::string sequence; ///< full name of the sequence
+};
+
+/// The traces of some lines of one stage of a run, and what readers must know about the stage. The text of `explain`,
+/// the drawing and the page all show it.
 struct StageTrace
 {
-    std::string heading;              ///< "Global pass"
-    std::vector<std::string> context; ///< paragraphs; with tied spaces (words.h)
-    std::string drawing;              ///< title of a drawing of the lines
-    std::string chapter;              ///< title of the lines on the page
-    std::string chapter_note;         ///< explains these lines on the page, a few sentences
-    std::string which;                ///< which lines these are, such as "walks of the first round"
+    std::string title;                ///< "Lines of the global pass"
+    std::vector<std::string> context; ///< paragraphs of the text; with tied spaces (words.h)
+    std::string note;                 ///< explains these lines on the page, a few sentences
     std::string kind;                 ///< name of one line, such as "walk"
     bool from_outside = false;        ///< the lines start on the sphere or box around the scene
     std::uint64_t count = 0;          ///< number of all lines of the stage

@@ -46,14 +46,6 @@ struct Transfer
     Rgb sent() const { return forecast + held; }
 };
 
-/// A sentence about a line. At the character tied_space (words.h), which stands for a space, no line is broken.
-struct Note
-{
-    std::string text;
-    std::size_t first = 2;  ///< [columns] indentation of the first line
-    std::size_t others = 4; ///< [columns] indentation of the other lines
-};
-
 /// What a line of a run does: a global line, a line of a bundle, a ray, or a path of rays (particle, walk).
 struct TracedLine
 {
@@ -62,8 +54,10 @@ struct TracedLine
     std::vector<bool> joins;         ///< per segment of the polyline: true if it joins two patches
     std::vector<Crossing> crossings; ///< in order along the line
     std::vector<Transfer> transfers; ///< in the order in which they happen
-    std::string opening;     ///< where the line comes from; empty for a path, whose notes tell this and its hits
-    std::vector<Note> notes; ///< what it carries
+    std::string opening; ///< where the line comes from; empty for a path, whose notes tell this and its hits
+    /// What it carries, in sentences. At the character tied_space (words.h), which stands for a space, no line is
+    /// broken.
+    std::vector<std::string> notes;
 };
 
 } // namespace multipath

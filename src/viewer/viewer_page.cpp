@@ -137,53 +137,46 @@ std::vector<double> power_channels(Rgb power)
     return p.r == p.g && p.g == p.b ? std::vector<double>{p.r} : std::vector<double>{p.r, p.g, p.b};
 }
 
-JsonObject transfer_json(const ViewerTransfer& transfer)
+JsonObject transfer_json(const Transfer& transfer)
 {
     JsonObject json;
-    json.count("segment", transfer.segment);
     json.count("from", transfer.from);
-    if (transfer.to == Scene::no_patch)
-        json.null("to");
-    else
+    if (Segment::is_patch(transfer.to))
         json.count("to", transfer.to);
+    else
+        json.null("to");
     json.numbers("forecast", power_channels(transfer.forecast));
     json.numbers("held", power_channels(transfer.held));
     json.numbers("counted", power_channels(transfer.counted));
     return json;
 }
 
-JsonObject line_json(const ViewerLine& line, Vec3 origin)
+JsonObject line_json(const TracedLine& line, Vec3 origin)
 {
     std::vector<double> points;
-    std::string bold;
-    for (const DrawnSegment& segment : line.shape.segments) {
-        if (points.empty())
-            append_point(points, segment.from - origin);
-        append_point(points, segment.to - origin);
-        bold += segment.bold ? '1' : '0';
-    }
+    for (const Vec3 point : line.points)
+        append_point(points, point - origin);
     std::vector<double> crossings;
-    for (const Vec3& crossing : line.shape.crossings)
-        append_point(crossings, crossing - origin);
+    for (const Crossing& crossing : line.crossings)
+        append_point(crossings, crossing.point - origin);
     std::vector<JsonObject> transfers;
-    for (const ViewerTransfer& transfer : line.transfers)
+    for (const Transfer& transfer : line.transfers)
         transfers.push_back(transfer_json(transfer));
     return JsonObject()
-        .text("label", line.shape.label)
         .numbers("points", points)
-        .text("bold", bold)
+        .numbers("joins", {line.joins.begin(), line.joins.end()})
         .numbers("crossings", crossings)
         .objects("transfers", transfers);
 }
 
 /// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
 /// segments. Numbers have six digits: they are shown, not computed with.
-JsonObject chapter_json(const ViewerChapter& chapter, Vec3 origin)
+JsonObject chapter_json(const StageTrace& chapter, Vec3 origin)
 {
     std::vector<JsonObject> lines;
-    for (const ViewerLine& line : chapter.lines)
+    for (const TracedLine& line : chapter.lines)
         lines.push_back(line_json(line, origin));
-    return JsonObject().text("title", chapter.title).text("note", chapter.note).objects("lines", lines);
+    return JsonObject().text("title", chapter.kind + "s").text("note", chapter.note).objects("lines", lines);
 }
 
 std::vector<double> coordinates(Vec3 v)
@@ -368,7 +361,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
     for (const ViewerQuantity& quantity : content.quantities)
         quantities.push_back(quantity_json(scene, quantity, content.render.threads));
     std::vector<JsonObject> chapters;
-    for (const ViewerChapter& chapter : content.chapters)
+    for (const StageTrace& chapter : content.chapters)
         chapters.push_back(chapter_json(chapter, mesh_origin(scene)));
     return JsonObject()
         .text("scene", scene.path())

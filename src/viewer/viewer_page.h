@@ -3,7 +3,7 @@
 // The viewer is an HTML page that shows a solved room. Its content is given here as plain lists; the viewer does not
 // know how they were computed.
 
-#include "export/svg/line_drawing.h"
+#include "explain/stage_trace.h"
 #include "image/camera.h"
 #include "image/render.h"
 #include "scene/rgb.h"
@@ -32,37 +32,6 @@ struct ViewerQuantity
     std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has no value
 };
 
-/// Power that a patch sends along one segment of a traced line. For a step of a gathering walk: power that the patch
-/// where the step ends contributes to the patch where the walk starts. The power sent is `forecast` + `held`.
-struct ViewerTransfer
-{
-    std::size_t segment; ///< index into DrawnLine::segments
-    std::uint32_t from;  ///< patch that sends the power
-    std::uint32_t to;    ///< patch that receives the power; Scene::no_patch if the power is lost
-    /// [W] On a global line the part of its unshot power that the patch adds to each line, (G3) in docs/equations.md;
-    /// on a parallel line all power sent; otherwise 0.
-    Rgb forecast;
-    /// [W] Rest of the sent power: on a global line, power that the patch has received and reflected but not yet sent
-    /// on; on a ray or a step of a random walk, all the power.
-    Rgb held;
-    Rgb counted; ///< [W] incident power counted at `to`: the score of a particle, else all the power sent
-};
-
-/// A traced line.
-struct ViewerLine
-{
-    DrawnLine shape;                       ///< segments and hits of the line
-    std::vector<ViewerTransfer> transfers; ///< in the order in which they happen
-};
-
-/// Traces of successive lines of one phase of a run, such as its first shot.
-struct ViewerChapter
-{
-    std::string title;
-    std::string note; ///< explanation of these lines, a few sentences
-    std::vector<ViewerLine> lines;
-};
-
 /// Everything that a page shows besides the scene.
 struct ViewerContent
 {
@@ -73,7 +42,7 @@ struct ViewerContent
     std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
     std::uint64_t lines = 0;                ///< number of lines of the run that computed the radiosity
-    std::vector<ViewerChapter> chapters;
+    std::vector<StageTrace> chapters;       ///< traces of successive lines of stages of a run
 };
 
 /// The texts before and after the JSON data of the room in a page.

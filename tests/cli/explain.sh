@@ -101,7 +101,7 @@ refused() {
 }
 check "an unknown stage is refused" refused 2 "--stage: expected first-shot or global with --method first-shot, got 'firstshot'" --stage firstshot
 bundle_told() {
-    ends 0 explain "$scene" --method transillumination --of 2^14 --lines 5 -o bundle.svg && says out "First direction of a run" &&
+    ends 0 explain "$scene" --method transillumination --of 2^14 --lines 5 -o bundle.svg && says out "Lines of one direction of transillumination of a run" &&
         says out "line 5 of" && says out " sends " && grep -q "line 5" bundle.svg && ends 0 explain "$scene" --method transillumination --stage first-shot --of 2^14 &&
         ends 2 explain "$scene" --method transillumination --stage global && says err "expected first-shot or bundle" &&
         ends 2 explain "$scene" --stage bundle && says err "expected first-shot or global with --method first-shot"
@@ -110,7 +110,7 @@ check "parallel lines of transillumination are told and drawn" bundle_told
 relatives_told() {
     ends 0 explain "$scene" --method gathering --of 2^14 --lines 3 -o walks.svg && says out "Gathering random walks of a run" &&
         says out "walk 3 of" && grep -q "walk 3" walks.svg &&
-        ends 0 explain "$scene" --method jacobi --of 2^14 --lines 3 -o rays.svg && says out "First iteration of a run" &&
+        ends 0 explain "$scene" --method jacobi --of 2^14 --lines 3 -o rays.svg && says out "Rays of a stochastic Jacobi iteration of a run" &&
         says out "ray 3 of" && says out "(J2)" && grep -q "ray 3" rays.svg &&
         ends 0 explain "$scene" --method jacobi --bidirectional no --of 2^14 && says out "(J1)"
 }

@@ -68,7 +68,7 @@ TEST_CASE("a path goes from patch to patch as long as the number drawn is below 
         REQUIRE(particle.crossings.size() == particle.transfers.size());
         for (std::size_t k = 0; k < particle.transfers.size(); ++k) {
             const Transfer& told = particle.transfers[k];
-            const std::string& note = particle.notes[k].text;
+            const std::string& note = particle.notes[k];
             const ParticleStep& step = paths.steps[k];
             const bool goes_on = step.drawn < mean(scene.reflectance(told.to));
             CHECK(goes_on == (k + 1 < particle.transfers.size()));

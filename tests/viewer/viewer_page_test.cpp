@@ -176,7 +176,11 @@ TEST_CASE("far from the origin, the page holds surfaces and lines relative to a 
     const Scene scene(file, 0.25);
     ViewerContent content = small_content(scene);
     content.camera = {shift + content.camera.eye, shift + content.camera.target};
-    content.chapters = {{"Lines", "One.", {{{"line 1", {{shift, shift + Vec3{0.25, 0.5, 1}, true}}, {shift}}, {}}}}};
+    TracedLine line;
+    line.points = {shift, shift + Vec3{0.25, 0.5, 1}};
+    line.joins = {true};
+    line.crossings = {{{}, shift, {}}};
+    content.chapters.emplace_back().lines = {line};
     const std::string page = viewer_page(scene, content);
     const Vec3 origin = mesh_origin(scene);
     CHECK(length(origin - scene.own_bounds().centre()) < 2.0);
@@ -186,7 +190,7 @@ TEST_CASE("far from the origin, the page holds surfaces and lines relative to a 
         const Vec3 place = {geometry[9 * s], geometry[9 * s + 1], geometry[9 * s + 2]};
         CHECK(length(origin + place - file.surfaces[s].origin) < 1e-7); // floats up to 2
     }
-    CHECK(count(page, "\"points\": [-1.75, 0, 0, -1.5, 0.5, 1], \"bold\": \"1\", \"crossings\": [-1.75, 0, 0]") == 1);
+    CHECK(count(page, "\"points\": [-1.75, 0, 0, -1.5, 0.5, 1], \"joins\": [1], \"crossings\": [-1.75, 0, 0]") == 1);
 }
 
 TEST_CASE("a legend reaches to the 99th percentile, and says where there is more")
@@ -233,22 +237,24 @@ TEST_CASE("values at the corners of patches are those of smooth shading")
 
 TEST_CASE("a told line becomes a chain of points with the power along it")
 {
-    ViewerLine line;
-    line.shape = {"line 1", {{{0, 0, 0}, {1, 0, 0}, false}, {{1, 0, 0}, {1.0 / 3.0, 2, 3e-9}, true}}, {{1, 0, 0}}};
-    line.transfers = {{1, 7, 9, {0.5, 0.5, 0.5}, {1, 2, 3}, {1.5, 2.5, 3.5}},
-                      {1, 9, Scene::no_patch, {}, {4, 4, 4}, {4, 4, 4}}};
+    TracedLine line;
+    line.points = {{0, 0, 0}, {1, 0, 0}, {1.0 / 3.0, 2, 3e-9}};
+    line.joins = {false, true};
+    line.crossings = {{{}, {1, 0, 0}, {}}};
+    line.transfers = {{1, 7, 9, {0.5, 0.5, 0.5}, {1, 2, 3}, {1.5, 2.5, 3.5}, {}},
+                      {1, 9, Segment::outside, {}, {4, 4, 4}, {4, 4, 4}, {}}};
     const Scene scene = small_scene();
     ViewerContent content = small_content(scene);
-    content.chapters = {{"Lines", "All \"two\".", {line}}};
-    CHECK(
-        count(
-            viewer_page(scene, content),
-            "\"trace\": [\n    {\"title\": \"Lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {\"label\": "
-            "\"line 1\", "
-            "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"bold\": \"01\", \"crossings\": [1, 0, 0], "
-            "\"transfers\": [\n    {\"segment\": 1, \"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "
-            "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"segment\": 1, \"from\": 9, \"to\": null, \"forecast\": [0], "
-            "\"held\": [4], \"counted\": [4]}]}]}]\n}\n") == 1);
+    StageTrace& chapter = content.chapters.emplace_back();
+    chapter.kind = "line";
+    chapter.note = "All \"two\".";
+    chapter.lines = {line};
+    CHECK(count(viewer_page(scene, content),
+                "\"trace\": [\n    {\"title\": \"lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {"
+                "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"joins\": [0, 1], \"crossings\": [1, 0, 0], "
+                "\"transfers\": [\n    {\"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "
+                "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"from\": 9, \"to\": null, \"forecast\": [0], "
+                "\"held\": [4], \"counted\": [4]}]}]}]\n}\n") == 1);
 }
 
 } // namespace viewer_page_test

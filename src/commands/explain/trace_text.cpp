@@ -69,7 +69,7 @@ std::string wrapped(const std::string& text, std::size_t first, std::size_t othe
 std::string trace_text(const TracedRun& run, const StageTrace& trace)
 {
     std::string text =
-        wrapped(trace.heading + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
+        wrapped(trace.title + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
                     grouped(run.options.lines) + " lines in total, " + grouped(run.scene.patch_count()) + " patches.",
                 0, 0) +
         "\n";
@@ -82,8 +82,8 @@ std::string trace_text(const TracedRun& run, const StageTrace& trace)
             if (!line.crossings.empty())
                 text += crossings_table(run.scene, line.crossings);
         }
-        for (const Note& note : line.notes)
-            text += wrapped(note.text, note.first, note.others);
+        for (const std::string& note : line.notes)
+            text += wrapped(note, 2, 4);
     }
     return text;
 }

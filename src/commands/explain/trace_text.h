@@ -13,15 +13,6 @@ namespace multipath {
 /// (explain/words.h) becomes a space; no line is broken there.
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others);
 
-/// The run to which the lines of a trace belong. Scene and options must outlive the object.
-struct TracedRun
-{
-    const Scene& scene;
-    const SolveOptions& options;
-    std::string method;   ///< name for --method
-    std::string sequence; ///< full name of the sequence
-};
-
 /// The trace as plain text, wrapped to 110 columns, for readers who do not know the paper: a heading about the run,
 /// what the stage does, and for each line the item that makes it, its hits and what it carries. Rows of tables are not
 /// wrapped and may be longer where coordinates are large.

@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "commands/explain/trace_drawing.h"
 #include "scene/scene_file.h"
 #include "viewer/viewer_page.h"
 
@@ -16,30 +15,15 @@ namespace {
 
 constexpr std::uint64_t most_lines_of_run = std::uint64_t{1} << 16; ///< the trace then takes less than a second
 
-std::vector<ViewerLine> viewer_lines(const StageTrace& trace)
-{
-    std::vector<ViewerLine> lines;
-    for (const DrawnLine& shape : drawn_lines(trace)) {
-        lines.push_back({shape, {}});
-        for (const Transfer& transfer : trace.lines[lines.size() - 1].transfers)
-            lines.back().transfers.push_back({transfer.segment, transfer.from,
-                                              Segment::is_patch(transfer.to) ? transfer.to : Scene::no_patch,
-                                              transfer.forecast, transfer.held, transfer.counted});
-    }
-    return lines;
-}
-
 /// Appends a chapter with the first 100, 10 or 1 lines of a stage, as many as it has; none if it has no lines.
-void append(std::vector<ViewerChapter>& chapters, const StageTracer& tracer, const Scene& scene,
+void append(std::vector<StageTrace>& chapters, const StageTracer& tracer, const Scene& scene,
             const SolveOptions& options)
 {
     for (const std::uint64_t count : {100u, 10u, 1u}) {
         try {
-            const StageTrace trace = tracer.trace(scene, options, {0, count});
-            chapters.push_back({trace.chapter,
-                                trace.chapter_note + " The first " + grouped(trace.lines.size()) + " of " +
-                                    grouped(trace.count) + " " + trace.which + ".",
-                                viewer_lines(trace)});
+            chapters.push_back(tracer.trace(scene, options, {0, count}));
+            StageTrace& trace = chapters.back();
+            trace.note += " The first " + grouped(count) + " of " + grouped(trace.count) + " " + trace.kind + "s.";
             return;
         } catch (const InputError&) {
             continue; // the stage has fewer lines
@@ -68,7 +52,7 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
 
 } // namespace
 
-std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
+std::vector<StageTrace> viewer_chapters(const TracedRun& run)
 {
     const Method method = run.options.method;
     const bool only_counts = !method->traced_as.empty();
@@ -78,13 +62,13 @@ std::vector<ViewerChapter> viewer_chapters(const TracedRun& run)
         options.method = method_named(method->traced_as);
         options.ratio.reset(); // has another meaning for that method
     }
-    std::vector<ViewerChapter> chapters;
+    std::vector<StageTrace> chapters;
     for (const std::string_view stage : traced_stages(options.method))
         for (const StageTracer& tracer : stage_tracers)
             if (tracer.stage == stage && stage != later_pass) // chapters show the first pass alone
                 append(chapters, tracer, run.scene, options);
     if (only_counts)
-        for (ViewerChapter& chapter : chapters)
+        for (StageTrace& chapter : chapters)
             chapter.note += " The method " + std::string(method->name) +
                             " only counts such lines and afterwards solves a linear system: these are the lines of "
                             "--method " +

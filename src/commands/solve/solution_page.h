@@ -1,7 +1,7 @@
 #pragma once
 
-#include "commands/explain/trace_text.h"
 #include "commands/options/picture_options.h"
+#include "explain/stage_trace.h"
 #include "radiosity/run/solve.h"
 #include "viewer/viewer_page.h"
 
@@ -14,7 +14,7 @@ namespace multipath {
 /// One chapter for each stage of the run that can be traced, with the traces of its first 100 lines, or of 10 or 1 if
 /// the stage has fewer. The traces are those of a run with the same options, but at most 2^16 lines in total. A method
 /// that only counts its lines, such as `reuse`, is represented by another (MethodInfo::traced_as).
-std::vector<ViewerChapter> viewer_chapters(const TracedRun& run);
+std::vector<StageTrace> viewer_chapters(const TracedRun& run);
 
 /// The page (.html) to walk through a solved room. It shows the solution and traces of lines (viewer_chapters).
 /// `comments`: provenance of the page.

@@ -71,7 +71,7 @@ class Trace {
       const now = n + 1 === this.line;
       const point = k => line.points.slice(3 * k, 3 * k + 3);
       for (let k = 0; k + 1 < line.points.length / 3; ++k) {
-        const bold = line.bold[k] === '1';
+        const bold = line.joins[k] === 1;
         const ink = now ? (bold ? line_ink : empty_ink) : (bold ? past_ink : past_empty_ink);
         marks.push({ from: point(k), to: point(k + 1), width: now ? (bold ? 3.5 : 1.5) : 1, colour: ink });
       }

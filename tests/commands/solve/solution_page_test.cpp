@@ -21,7 +21,7 @@ Scene lit_room()
     return builder.room({0, 0, 0}, {2, 1, 3}, {wall, lamp, wall, wall, wall, wall}).scene(0.5);
 }
 
-std::vector<ViewerChapter> trace(const Scene& scene, Method method, std::uint64_t lines)
+std::vector<StageTrace> trace(const Scene& scene, Method method, std::uint64_t lines)
 {
     SolveOptions options;
     options.method = method;
@@ -47,20 +47,19 @@ TEST_CASE("power goes along its segment of a traced line, from a patch at one en
     const Scene scene = lit_room();
     for (const Method method : all_methods()) {
         std::size_t transfers = 0;
-        for (const ViewerChapter& chapter : trace(scene, method, 1u << 16)) {
+        for (const StageTrace& chapter : trace(scene, method, 1u << 16)) {
             CHECK(chapter.lines.size() == 100);
-            for (const ViewerLine& line : chapter.lines)
-                for (const ViewerTransfer& transfer : line.transfers) {
-                    const DrawnSegment& segment = line.shape.segments.at(transfer.segment);
-                    CHECK(segment.bold == (transfer.to != Scene::no_patch));
-                    if (transfer.to == Scene::no_patch)
+            for (const TracedLine& line : chapter.lines)
+                for (const Transfer& transfer : line.transfers) {
+                    CHECK(line.joins.at(transfer.segment) == Segment::is_patch(transfer.to));
+                    if (!Segment::is_patch(transfer.to))
                         continue;
-                    const bool forwards = lies_on(scene, transfer.from, segment.from);
-                    CHECK(lies_on(scene, transfer.from, forwards ? segment.from : segment.to));
+                    const Vec3 begin = line.points.at(transfer.segment);
+                    const Vec3 far = line.points.at(transfer.segment + 1);
+                    const bool forwards = lies_on(scene, transfer.from, begin);
+                    CHECK(lies_on(scene, transfer.from, forwards ? begin : far));
                     // A walk brings light back along its whole path.
-                    const Vec3 end = method == Method::gathering ? line.shape.segments.front().from
-                                     : forwards                  ? segment.to
-                                                                 : segment.from;
+                    const Vec3 end = method == Method::gathering ? line.points.front() : forwards ? far : begin;
                     CHECK(lies_on(scene, transfer.to, end));
                     ++transfers;
                 }
@@ -75,18 +74,17 @@ TEST_CASE("each method has its chapters, the lines of reuse being those of the e
     CHECK(trace(scene, Method::local, 4096).size() == 1);
     CHECK(trace(scene, Method::global, 4096).size() == 1);
     CHECK(trace(scene, Method::extended, 4096).size() == 2);
-    const std::vector<ViewerChapter> reuse = trace(scene, Method::reuse, 4096);
+    const std::vector<StageTrace> reuse = trace(scene, Method::reuse, 4096);
     REQUIRE(reuse.size() == 2);
-    CHECK(reuse[1].title == "Global lines");
+    CHECK(reuse[1].title == "Lines of the global pass");
     CHECK(reuse[1].note.find("--method extended") != std::string::npos);
-    CHECK(reuse[1].lines[7].shape.segments[0].to ==
-          trace(scene, Method::extended, 4096)[1].lines[7].shape.segments[0].to);
+    CHECK(reuse[1].lines[7].points[1] == trace(scene, Method::extended, 4096)[1].lines[7].points[1]);
 }
 
 TEST_CASE("a run with few lines has shorter traces")
 {
     const Scene scene = lit_room();
-    const std::vector<ViewerChapter> chapters = trace(scene, Method::global, 20);
+    const std::vector<StageTrace> chapters = trace(scene, Method::global, 20);
     REQUIRE(chapters.size() == 1);
     CHECK(chapters[0].lines.size() == 10);
 }

@@ -1,4 +1,4 @@
-#include "export/svg/line_drawing.h"
+#include "explain/line_drawing.h"
 
 #include "test_scenes.h"
 
@@ -26,19 +26,38 @@ std::size_t count(const std::string& text, const std::string& part)
     return found;
 }
 
-/// A line from (0, 0, 0) to `end` and no crossings, in a sphere of radius 2.
-std::string drawn(Vec3 end, Vec3 up = {0, 1, 0})
+TracedLine line_to(Vec3 end, bool joins)
 {
-    LineDrawing drawing;
-    drawing.up = up;
-    drawing.sphere = DrawnSphere{{0, 0, 0}, 2.0};
-    return draw_lines(cube(), {{"line 1", {{{0, 0, 0}, end, true}}, {}}}, drawing);
+    TracedLine line;
+    line.points = {{0, 0, 0}, end};
+    line.joins = {joins};
+    return line;
+}
+
+std::string drawing_of(const StageTrace& trace, Chords chords = Chords::sphere, Vec3 up = {0, 1, 0})
+{
+    const Scene scene = cube();
+    SolveOptions options;
+    options.method = Method::global;
+    options.chords = chords;
+    return draw_lines({scene, options, "global", "sobol"}, trace, up, {"made & kept"});
+}
+
+/// A line from (0, 0, 0) to `end` and no crossings, beside one to a distance of 2, to which the drawing reaches.
+std::string drawn(Vec3 end, Vec3 up = {0, 1, 0}, Chords chords = Chords::sphere)
+{
+    StageTrace trace;
+    trace.title = "a < b";
+    trace.kind = "line";
+    trace.from_outside = true;
+    trace.lines = {line_to(end, true), line_to({-2, 0, 0}, false)};
+    return drawing_of(trace, chords, up);
 }
 
 } // namespace
 
-// The two views are squares of 440 px with their middles at (250, 304) and (720, 304); the sphere of radius 2 takes 49
-// % of a square to either side: 107.8 px per unit.
+// The two views are squares of 440 px with their middles at (250, 304) and (720, 304); a distance of 2 takes 49 % of a
+// square to either side: 107.8 px per unit.
 TEST_CASE("a line is drawn to the right, down and up in both views as seen from above and from the side")
 {
     const std::string right = drawn({1, 0, 0});
@@ -67,25 +86,29 @@ TEST_CASE("edges that fall together are drawn once: a cube is a square in both v
         CHECK_MESSAGE(count(drawn({1, 0, 0}), side) == 1, std::string(side));
 }
 
-// The box of edge 4 takes 49 % of a square to either side, as the sphere of radius 2 does.
-TEST_CASE("a box around the lines is drawn in both views in place of the sphere")
+TEST_CASE("what the lines are chords of, the scene's sphere or its box, is drawn in both views")
 {
-    LineDrawing drawing;
-    drawing.box = Bounds{{-2, -2, -2}, {2, 2, 2}};
-    const std::string text = draw_lines(cube(), {{"line 1", {{{0, 0, 0}, {1, 0, 0}, true}}, {}}}, drawing);
-    CHECK(count(text, "M34.4 88.4L34.4 519.6L465.6 519.6L465.6 88.4Z") == 1);
-    CHECK(count(text, "M504.4 519.6L935.6 519.6L935.6 88.4L504.4 88.4Z") == 1);
-    CHECK(count(text, "grey: the box") == 1);
-    CHECK(count(text, "the sphere") == 0);
+    const std::string sphere = drawn({1, 0, 0});
+    CHECK(count(sphere, "r=\"186.7\"") == 2); // the square root of 3
+    CHECK(count(sphere, "disc: the sphere") == 1);
+    const std::string box = drawn({1, 0, 0}, {0, 1, 0}, Chords::box);
+    CHECK(count(box, "M142.2 196.2L142.2 411.8L357.8 411.8L357.8 196.2Z") == 1);
+    CHECK(count(box, "M612.2 411.8L827.8 411.8L827.8 196.2L612.2 196.2Z") == 1);
+    CHECK(count(box, "grey: the box") == 1);
+    CHECK(count(box, "the sphere") == 0);
 }
 
 TEST_CASE("the crossings of few lines are numbered in both views, those of many are dots")
 {
-    const DrawnLine line{"line", {{{0, 0, 0}, {1, 0, 0}, false}}, {{0.5, 0, 0}, {1, 0, 0}}};
-    const std::string few = draw_lines(cube(), {line, line}, {});
+    TracedLine line = line_to({1, 0, 0}, false);
+    line.crossings = {{{}, {0.5, 0, 0}, {}}, {{}, {1, 0, 0}, {}}};
+    StageTrace trace;
+    trace.lines = {line, line};
+    const std::string few = drawing_of(trace);
     CHECK(count(few, ">1</text>") == 4);
     CHECK(count(few, ">2</text>") == 4);
-    const std::string many = draw_lines(cube(), std::vector<DrawnLine>(20, line), {});
+    trace.lines.resize(20, line);
+    const std::string many = drawing_of(trace);
     CHECK(count(many, ">1</text>") == 0);
     CHECK(count(many, "and 13 more") == 1); // seven are named
 }
@@ -101,10 +124,7 @@ TEST_CASE("a line of no length has no head, and nothing in the drawing is undefi
 
 TEST_CASE("the title and the comments are in the file, escaped")
 {
-    LineDrawing drawing;
-    drawing.title = "a < b";
-    drawing.comments = {"made & kept"};
-    const std::string text = draw_lines(cube(), {}, drawing);
+    const std::string text = drawn({1, 0, 0});
     CHECK(count(text, "a &lt; b") == 2);
     CHECK(count(text, "made &amp; kept") == 1);
     CHECK(count(text, "</svg>") == 1);

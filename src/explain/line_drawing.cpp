@@ -1,7 +1,7 @@
 // A drawing consists of two parallel projections of the same scale, side by side: from above, with the depth of the
 // scene down the page, and from the side. Both have the same axis to the right.
 
-#include "export/svg/line_drawing.h"
+#include "explain/line_drawing.h"
 
 #include "base/elementary.h"
 #include "base/text_format.h"
@@ -50,6 +50,9 @@ std::string stroke(const std::string& colour, const char* rest)
     return " fill=\"none\" stroke=\"" + colour + "\" " + rest;
 }
 
+/// What the lines of a trace are chords of.
+enum class Around { nothing, sphere, box };
+
 /// A parallel projection of the scene into a square of the page.
 struct View
 {
@@ -89,33 +92,31 @@ std::array<Surface, 6> sides(const Bounds& box)
 }
 
 /// [scene units] Largest distance of anything drawn from the scene's centre, along any of the three axes.
-double reach(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+double reach(const Scene& scene, const StageTrace& trace, Around around, Vec3 up)
 {
     const Bounds& box = scene.bounds();
-    double farthest = drawing.sphere ? drawing.sphere->radius : 0.0;
+    double farthest = around == Around::sphere ? 0.5 * box.diagonal() : 0.0;
     const auto include = [&](Vec3 p) {
-        for (const Vec3 axis : axes(drawing.up))
+        for (const Vec3 axis : axes(up))
             farthest = std::max(farthest, std::abs(dot(p - box.centre(), axis)));
     };
     for (const Surface& surface : scene.surfaces())
         for (const Vec3 corner : corners_of(surface))
             include(corner);
-    if (drawing.box)
-        for (const Surface& side : sides(*drawing.box))
+    if (around == Around::box)
+        for (const Surface& side : sides(box))
             for (const Vec3 corner : corners_of(side))
                 include(corner);
-    for (const DrawnLine& line : lines)
-        for (const DrawnSegment& segment : line.segments) {
-            include(segment.from);
-            include(segment.to);
-        }
+    for (const TracedLine& line : trace.lines)
+        for (const Vec3 point : line.points)
+            include(point);
     return farthest;
 }
 
-std::array<View, 2> views(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+std::array<View, 2> views(const Scene& scene, const StageTrace& trace, Around around, Vec3 up_direction)
 {
-    const auto [right, up, to_viewer] = axes(drawing.up);
-    const double scale = 0.49 * view_size / reach(scene, lines, drawing);
+    const auto [right, up, to_viewer] = axes(up_direction);
+    const double scale = 0.49 * view_size / reach(scene, trace, around, up_direction);
     const Vec3 centre = scene.bounds().centre();
     const double y = head_height + 0.5 * view_size;
     return {{{"from above", right, to_viewer, centre, scale, {page_margin + 0.5 * view_size, y}},
@@ -186,28 +187,30 @@ std::string arrow_head(SvgPoint from, SvgPoint to, const std::string& colour)
                     " fill=\"" + colour + "\"");
 }
 
-std::string segments(const DrawnLine& line, const View& view, const std::string& colour)
+/// Segments that join two patches are solid and thick, the others dashed and thin.
+std::string segments(const TracedLine& line, const View& view, const std::string& colour)
 {
     std::string bold;
     std::string thin;
-    for (const DrawnSegment& segment : line.segments)
-        (segment.bold ? bold : thin) += command_to('M', view.at(segment.from)) + command_to('L', view.at(segment.to));
+    for (std::size_t k = 0; k < line.joins.size(); ++k)
+        (line.joins[k] ? bold : thin) +=
+            command_to('M', view.at(line.points[k])) + command_to('L', view.at(line.points[k + 1]));
     std::string text = svg_path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
                        svg_path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
-    if (!line.segments.empty()) {
-        const DrawnSegment& last = line.segments.back();
-        text += circle(view.at(line.segments.front().from), 4.0,
-                       " fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
-        text += arrow_head(view.at(last.from), view.at(last.to), colour);
+    if (!line.joins.empty()) {
+        const std::size_t last = line.joins.size();
+        text +=
+            circle(view.at(line.points.front()), 4.0, " fill=\"#ffffff\" stroke=\"" + colour + "\" stroke-width=\"2\"");
+        text += arrow_head(view.at(line.points[last - 1]), view.at(line.points[last]), colour);
     }
     return text;
 }
 
-std::string crossings(const DrawnLine& line, const View& view, const std::string& colour, bool numbered)
+std::string crossings(const TracedLine& line, const View& view, const std::string& colour, bool numbered)
 {
     std::string text;
     for (std::size_t k = 0; k < line.crossings.size(); ++k) {
-        const SvgPoint p = view.at(line.crossings[k]);
+        const SvgPoint p = view.at(line.crossings[k].point);
         text += circle(p, numbered ? 7.5 : 2.5,
                        " fill=\"" + std::string(numbered ? "#ffffff" : colour) + "\" stroke=\"" + colour +
                            "\" stroke-width=\"1.4\"");
@@ -217,51 +220,56 @@ std::string crossings(const DrawnLine& line, const View& view, const std::string
     return text;
 }
 
-std::string picture(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing,
-                    const View& view)
+std::string picture(const Scene& scene, const StageTrace& trace, Around around, const View& view)
 {
     std::string text = svg_text(view.middle.x, head_height - 8.0, view.name, SvgAnchor::middle, 13.0);
-    if (drawing.sphere)
-        text += circle(view.at(drawing.sphere->centre), view.scale * drawing.sphere->radius,
+    if (around == Around::sphere)
+        text += circle(view.middle, view.scale * 0.5 * scene.bounds().diagonal(),
                        " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
-    if (drawing.box)
-        text += box_shape(*drawing.box, view);
+    if (around == Around::box)
+        text += box_shape(scene.bounds(), view);
     text += scene_outlines(scene, view) + sources(scene, view);
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        text += segments(lines[k], view, svg_series_colour(k));
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        text += crossings(lines[k], view, svg_series_colour(k), lines.size() <= most_numbered_lines);
+    for (std::size_t k = 0; k < trace.lines.size(); ++k)
+        text += segments(trace.lines[k], view, svg_series_colour(k));
+    for (std::size_t k = 0; k < trace.lines.size(); ++k)
+        text += crossings(trace.lines[k], view, svg_series_colour(k), trace.lines.size() <= most_numbered_lines);
     return text;
 }
 
-std::string legend(const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+std::string legend(const StageTrace& trace, Around around)
 {
+    const std::size_t count = trace.lines.size();
     std::vector<std::string> labels;
-    for (std::size_t k = 0; k < std::min(lines.size(), most_in_legend); ++k)
-        labels.push_back(lines[k].label);
-    if (lines.size() > most_in_legend)
-        labels.back() = "and " + std::to_string(lines.size() - labels.size() + 1) + " more";
+    for (std::size_t k = 0; k < std::min(count, most_in_legend); ++k)
+        labels.push_back(trace.kind + " " + std::to_string(trace.lines[k].origin.number + 1));
+    if (count > most_in_legend)
+        labels.back() = "and " + std::to_string(count - labels.size() + 1) + " more";
     const double y = head_height + view_size + 28.0;
     return svg_legend(page_margin, y, labels) +
            svg_text(page_margin, y + 22.0,
                     std::string("ring: start; arrowhead: end; numbers: surfaces in the order met; solid: from patch to "
                                 "patch; dashed: no exchange; yellow: sources") +
-                        (drawing.sphere ? "; disc: the sphere"
-                         : drawing.box  ? "; grey: the box"
-                                        : ""),
+                        (around == Around::sphere ? "; disc: the sphere"
+                         : around == Around::box  ? "; grey: the box"
+                                                  : ""),
                     SvgAnchor::start, 12.0);
 }
 
 } // namespace
 
-std::string draw_lines(const Scene& scene, const std::vector<DrawnLine>& lines, const LineDrawing& drawing)
+std::string draw_lines(const TracedRun& run, const StageTrace& trace, Vec3 up, const std::vector<std::string>& comments)
 {
-    std::string text = svg_head(drawing_width, drawing_height, drawing.title, drawing.comments) +
-                       svg_text(page_margin, 32.0, drawing.title, SvgAnchor::start, 19.0) +
-                       svg_text(page_margin, 52.0, drawing.subtitle, SvgAnchor::start, 12.0);
-    for (const View& view : views(scene, lines, drawing))
-        text += picture(scene, lines, drawing, view);
-    return text + legend(lines, drawing) + svg_end();
+    const Around around = !trace.from_outside                     ? Around::nothing
+                          : chords_of(run.options) == Chords::box ? Around::box
+                                                                  : Around::sphere;
+    std::string text =
+        svg_head(drawing_width, drawing_height, trace.title, comments) +
+        svg_text(page_margin, 32.0, trace.title, SvgAnchor::start, 19.0) +
+        svg_text(page_margin, 52.0, run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence,
+                 SvgAnchor::start, 12.0);
+    for (const View& view : views(run.scene, trace, around, up))
+        text += picture(run.scene, trace, around, view);
+    return text + legend(trace, around) + svg_end();
 }
 
 } // namespace multipath
