@@ -8,7 +8,7 @@
 #include "commands/options/memory_limit.h"
 #include "export/csv_text.h"
 #include "export/lightmap/lightmap.h"
-#include "export/lightmap/lightmap_files.h"
+#include "export/lightmap/lightmap_glb.h"
 #include "export/mesh/coloured_mesh.h"
 #include "export/mesh/glb.h"
 #include "export/mesh/gltf_nodes.h"
@@ -68,8 +68,6 @@ class SolvedScene : public OutputContent
 {
 public:
     explicit SolvedScene(const OutputContent& content) : OutputContent(content) {}
-
-    std::string file_stem; ///< name of the current output, without folder and extension
 
     /// Selects the view with this index in options.views; initially the first.
     void show(std::size_t view)
@@ -246,12 +244,6 @@ constexpr std::array known_formats = {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
                                          s.mesh_cameras(), s.comments, s.options.up);
                  }},
-    OutputFormat{"_lightmap.obj", FormatKind::mesh, "the same, which needs the next two files", false,
-                 [](SolvedScene& s) { return lightmap_obj(s.scene, s.lightmap(), s.file_stem + ".mtl", s.comments); }},
-    OutputFormat{"_lightmap.mtl", FormatKind::mesh, "its materials", false,
-                 [](SolvedScene& s) { return lightmap_mtl(s.scene, s.file_stem + ".png"); }},
-    OutputFormat{"_lightmap.png", FormatKind::mesh, "its texture", false,
-                 [](SolvedScene& s) { return s.lightmap_png(); }},
     OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
                  [](SolvedScene& s) { return s.page(); }},
     OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
@@ -337,6 +329,9 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
     std::vector<std::string> names;
     std::vector<std::size_t> shown;
     for (const std::string& path : paths) {
+        const std::string ending = lower_case(path).substr(std::min(path.rfind('_'), path.size()));
+        if (ending == "_lightmap.obj" || ending == "_lightmap.mtl" || ending == "_lightmap.png")
+            throw UsageError("--output: '" + path + "': a lightmap is one file, which ends in _lightmap.glb");
         const bool several = views.size() > 1 && kind_of(path) == FormatKind::picture;
         if (several && path == "-")
             throw UsageError("--camera: standard output takes one picture, not one for each view; expected -o FILE");
@@ -374,9 +369,7 @@ std::string write_outputs(std::vector<PlannedOutput>& outputs, const OutputConte
     for (PlannedOutput& output : outputs)
         quickest_first.emplace(format_of(output).kind, &output);
     for (const auto& [kind, output] : quickest_first) {
-        const std::string name = output->file.name().substr(folder_of(output->file.name()).size());
         solved.show(output->view);
-        solved.file_stem = name.substr(0, name.find_last_of('.'));
         output->file.write(format_of(*output).bytes(solved));
         output->file.complete();
     }

@@ -1,13 +1,14 @@
 #include "export/lightmap/charts.h"
 
-#include "export/mesh/point_grid.h"
 #include "geometry/bounds.h"
 #include "geometry/polygon.h"
+#include "scene/surface_edges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -16,20 +17,19 @@ namespace {
 
 constexpr double same_place = 1e-6; ///< share of the scene's diagonal; points at most this far apart coincide
 
-/// A directed edge between two welded corners as one number.
-std::uint64_t edge_key(std::uint32_t from, std::uint32_t to)
-{
-    return std::uint64_t{from} << 32 | to;
-}
-
 /// Divides the surfaces of a scene into charts.
 class ChartFinder
 {
 public:
     explicit ChartFinder(const Scene& scene)
-        : scene_(scene), tolerance_(same_place * scene.own_bounds().diagonal()), chart_(scene.own_surfaces(), no_chart)
+        : scene_(scene),
+          tolerance_(same_place * scene.own_bounds().diagonal()),
+          chart_(scene.own_surfaces(), no_chart),
+          edges_(edges_of({scene.surfaces().begin(), scene.surfaces().begin() + scene.own_surfaces()},
+                          scene.own_bounds())),
+          neighbours_(edges_)
     {
-        find_edges();
+        std::stable_sort(neighbours_.begin(), neighbours_.end(), before);
     }
 
     /// The charts of all surfaces; that with the largest surface is the first.
@@ -50,38 +50,9 @@ public:
     }
 
 private:
-    void find_edges()
+    static bool before(const FaceEdge& a, const FaceEdge& b)
     {
-        constexpr double cell = 64.0; // in tolerances; most searches visit a single cell
-        PointGrid grid(cell * tolerance_, 0);
-        std::vector<Vec3> points; // the distinct corners
-        const auto position = [&](std::uint32_t number) { return points[number]; };
-        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
-            first_corner_.push_back(number_.size());
-            for (const Vec3 corner : corners_of(scene_.surfaces()[s])) {
-                const auto known = grid.first_near(corner, tolerance_, position);
-                number_.push_back(known ? *known : static_cast<std::uint32_t>(points.size()));
-                if (!known) {
-                    grid.insert(corner, number_.back());
-                    points.push_back(corner);
-                }
-            }
-        }
-        first_corner_.push_back(number_.size());
-
-        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s)
-            for_each_edge(s, [&](std::uint32_t from, std::uint32_t to) { edges_.emplace_back(edge_key(from, to), s); });
-        std::sort(edges_.begin(), edges_.end());
-    }
-
-    /// Calls visit(from, to) for the edges of a surface, counter-clockwise seen from the front.
-    template <class Visit>
-    void for_each_edge(std::uint32_t surface, const Visit& visit) const
-    {
-        const std::size_t begin = first_corner_[surface];
-        const std::size_t end = first_corner_[surface + 1];
-        for (std::size_t n = begin; n < end; ++n)
-            visit(number_[n], number_[n + 1 < end ? n + 1 : begin]);
+        return std::tie(a.low, a.high, a.upward) < std::tie(b.low, b.high, b.upward);
     }
 
     /// Flood fill from `seed` for chart `number`.
@@ -94,23 +65,27 @@ private:
             chart.surfaces.push_back(s);
         };
         take(seed);
-        for (std::size_t next = 0; next < chart.surfaces.size(); ++next)
-            for_each_edge(chart.surfaces[next], [&](std::uint32_t from, std::uint32_t to) {
-                if (const auto neighbour = coplanar_neighbour(edge_key(to, from), seed, normal))
+        for (std::size_t next = 0; next < chart.surfaces.size(); ++next) {
+            const std::uint32_t face = chart.surfaces[next];
+            const auto of_lower_face = [](const FaceEdge& edge, std::uint32_t f) { return edge.face < f; };
+            for (auto edge = std::lower_bound(edges_.begin(), edges_.end(), face, of_lower_face);
+                 edge != edges_.end() && edge->face == face; ++edge)
+                if (const auto neighbour = coplanar_neighbour(*edge, seed, normal))
                     take(*neighbour);
-            });
+        }
         lay_axes(chart, normal);
         return chart;
     }
 
-    /// A surface without a chart that has this edge and lies in the plane of `seed`. Nothing if the chart of `seed`
-    /// already has a surface with this edge, since the two would overlap.
-    std::optional<std::uint32_t> coplanar_neighbour(std::uint64_t edge, std::uint32_t seed, Vec3 normal) const
+    /// A surface without a chart that has this edge in the opposite direction and lies in the plane of `seed`. Nothing
+    /// if the chart of `seed` already has a surface with that edge, since the two would overlap.
+    std::optional<std::uint32_t> coplanar_neighbour(FaceEdge edge, std::uint32_t seed, Vec3 normal) const
     {
+        const FaceEdge wanted = {edge.low, edge.high, 0, !edge.upward};
+        const auto [begin, end] = std::equal_range(neighbours_.begin(), neighbours_.end(), wanted, before);
         std::optional<std::uint32_t> found;
-        for (auto beyond = std::lower_bound(edges_.begin(), edges_.end(), std::pair(edge, 0u));
-             beyond != edges_.end() && beyond->first == edge; ++beyond) {
-            const std::uint32_t s = beyond->second;
+        for (auto beyond = begin; beyond != end; ++beyond) {
+            const std::uint32_t s = beyond->face;
             if (chart_[s] == chart_[seed])
                 return std::nullopt;
             if (!found && chart_[s] == no_chart && is_coplanar(s, seed, normal))
@@ -165,11 +140,10 @@ private:
     static constexpr std::uint32_t no_chart = 0xffffffffu;
 
     const Scene& scene_;
-    double tolerance_;                                           ///< [scene units]
-    std::vector<std::uint32_t> chart_;                           ///< per surface; no_chart if it has none yet
-    std::vector<std::size_t> first_corner_;                      ///< per surface, and one past the end
-    std::vector<std::uint32_t> number_;                          ///< per corner: index after welding
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges_; ///< edge_key() and surface, sorted
+    double tolerance_;                 ///< [scene units]
+    std::vector<std::uint32_t> chart_; ///< per surface; no_chart if it has none yet
+    LargeVector<FaceEdge> edges_;      ///< in the order of the surfaces
+    LargeVector<FaceEdge> neighbours_; ///< the same, sorted by before()
 };
 
 } // namespace

@@ -27,7 +27,6 @@ struct Lightmap
     std::vector<TextureFrame> frames;
     std::uint32_t chart_count = 0; ///< in a two-sided scene front and back count separately
     double texels_per_unit = 0.0;  ///< [1 / scene unit] the common scale
-    double used_share = 0.0;       ///< [1] share of the area of the atlas that lies on a surface
 
     const TextureFrame& frame(std::uint32_t surface, bool front) const
     {

@@ -37,7 +37,6 @@ public:
     }
 
     Bounds bounds() const { return Surface{shape_, origin_, along_u_, along_v_}.bounds(); }
-    double area() const { return (shape_ == Shape::triangle ? 0.5 : 1.0) * std::abs(determinant_); }
 
     NearestPoint nearest(double x, double y) const
     {
@@ -172,20 +171,10 @@ private:
     std::vector<std::uint32_t> owner_; ///< per texel: index of a frame, or nobody
 };
 
-/// [1] Share of the atlas that lies on a surface.
-double share_on_surfaces(const Scene& scene, const Lightmap& map)
-{
-    double area = 0.0; // [texel^2]
-    for (std::size_t n = 0; n < map.frames.size(); ++n)
-        area += AtlasSide(scene.surfaces()[n % scene.own_surfaces()].shape, map.frames[n], map.width).area();
-    return area / (static_cast<double>(map.width) * map.height);
-}
-
 } // namespace
 
 void paint(Lightmap& map, const Scene& scene, const std::vector<Chart>& charts, const SurfaceLight& light, int threads)
 {
-    map.used_share = share_on_surfaces(scene, map);
     AtlasPainter painter(scene, map);
     painter.find_owners(charts, threads);
     painter.paint(light, threads);

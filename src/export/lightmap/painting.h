@@ -5,8 +5,8 @@
 
 namespace multipath {
 
-/// Computes the texels of a lightmap whose frames are known, and the share of its area that lies on a surface. Each
-/// texel near a surface gets the light at the point of the surface nearest to the centre of the texel.
+/// Computes the texels of a lightmap whose frames are known. Each texel near a surface gets the light at the point of
+/// the surface nearest to the centre of the texel.
 void paint(Lightmap& map, const Scene& scene, const std::vector<Chart>& charts, const SurfaceLight& light, int threads);
 
 } // namespace multipath

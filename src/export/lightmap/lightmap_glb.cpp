@@ -1,7 +1,5 @@
-#include "export/lightmap/lightmap_files.h"
+#include "export/lightmap/lightmap_glb.h"
 
-#include "base/text_format.h"
-#include "export/csv_text.h"
 #include "export/lightmap/square_corners.h"
 #include "export/mesh/gltf_file.h"
 
@@ -51,12 +49,6 @@ PatchMesh undivided_mesh(const Scene& scene)
     return mesh;
 }
 
-/// One part per used material.
-std::vector<MaterialPart> undivided_parts(const PatchMesh& mesh, const Scene& scene)
-{
-    return material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.is_textured(surface); });
-}
-
 } // namespace
 
 std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::string& atlas_png, double scale,
@@ -72,7 +64,7 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
         return gltf_texture_coordinates(mesh_texture_frame(scene, side.surface).at(u, v));
     };
     return gltf_bytes(mesh, scene,
-                      {undivided_parts(mesh, scene),
+                      {material_parts(mesh, scene, [&](std::uint32_t surface) { return scene.is_textured(surface); }),
                        {{"TEXCOORD_0", 2, false, in_atlas}, {"TEXCOORD_1", 2, true, in_own_texture}},
                        {{"lightmap", {"image/png", atlas_png}, false, false}},
                        [](const MaterialPart&) { return 0; },
@@ -81,40 +73,6 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
                        scale,
                        up,
                        "fewer surfaces"});
-}
-
-std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::string& mtl_name,
-                         const std::vector<std::string>& comments)
-{
-    std::string text = comment_lines(comments) + "mtllib " + mtl_name + "\n";
-    const int digits = coordinate_digits(scene.own_bounds(), 7);
-    std::size_t corner = 0;
-    for (const MaterialPart& part : undivided_parts(undivided_mesh(scene), scene)) {
-        text += "usemtl " + scene.materials()[part.material].name + "\n";
-        for (const MeshSide& side : part.sides) {
-            std::string face = "f";
-            for (std::size_t k = 0; k < side.vertex_count; ++k) {
-                const auto [u, v] = corner_of(scene, side, k);
-                const Vec3 p = scene.surfaces()[side.surface].at(u, v) + Vec3{}; // never "-0"
-                const TexturePoint texture = map.frame(side.surface, side.front).at(u, v);
-                text += format("v %.*g %.*g %.*g\nvt %.7g %.7g\n", digits, p.x, digits, p.y, digits, p.z, texture.s,
-                               texture.t);
-                const std::string number = std::to_string(++corner);
-                face += " " + number + "/" + number;
-            }
-            text += face + "\n";
-        }
-    }
-    return text;
-}
-
-std::string lightmap_mtl(const Scene& scene, const std::string& png_name)
-{
-    std::string text; // illum 0: constant colour, without lights
-    for (const MaterialPart& part : undivided_parts(undivided_mesh(scene), scene))
-        text += "newmtl " + scene.materials()[part.material].name + "\nKa 0 0 0\nKd 1 1 1\nillum 0\nmap_Kd " +
-                png_name + "\n";
-    return text;
 }
 
 } // namespace multipath

@@ -17,12 +17,4 @@ std::string lightmap_glb(const Scene& scene, const Lightmap& map, const std::str
                          const std::vector<GlbCamera>& cameras, const std::vector<std::string>& comments,
                          Vec3 up = {0.0, 1.0, 0.0});
 
-/// The surfaces as a Wavefront OBJ file with texture coordinates into the atlas, grouped by material, and exact to a
-/// millionth of the scene's size. `mtl_name`: name of the MTL file. The comments become `# ` lines at the top.
-std::string lightmap_obj(const Scene& scene, const Lightmap& map, const std::string& mtl_name,
-                         const std::vector<std::string>& comments);
-
-/// The MTL file of lightmap_obj(): every used material shows the atlas, the file `png_name`.
-std::string lightmap_mtl(const Scene& scene, const std::string& png_name);
-
 } // namespace multipath
