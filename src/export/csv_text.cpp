@@ -12,142 +12,48 @@ namespace multipath {
 
 namespace {
 
-bool is_empty_line(const CsvRow& row)
+/// The fields of a line.
+CsvRow row_of(std::string_view text, TextLocation place)
 {
-    return row.fields.size() == 1 && row.fields[0].empty();
+    CsvRow row{{}, place.line};
+    for (std::size_t next = 0;; ++next) {
+        std::string field;
+        if (text.substr(next, 1) == "\"") {
+            do {
+                const std::size_t end = text.find('"', next + 1);
+                if (end == std::string_view::npos)
+                    refuse(place, "quote without end, expected a closing quote before the end of the line");
+                field += text.substr(next + 1, end - next - 1);
+                next = end + 1;
+                if (text.substr(next, 1) == "\"") // doubled
+                    field += '"';
+            } while (text.substr(next, 1) == "\"");
+            if (next < text.size() && text[next] != ',')
+                refuse(place, "text after a closing quote, expected a comma or the end of the line");
+        } else {
+            field = text.substr(next, text.find(',', next) - next);
+            if (field.find('"') != std::string::npos)
+                refuse(place, "quote inside a field, expected the whole field in quotes and this one doubled");
+            next += field.size();
+        }
+        row.fields.push_back(std::move(field));
+        if (next == text.size())
+            return row;
+    }
 }
 
-/// Recursive-descent parser with one function per element of the grammar. `next_` is the position in the text.
-class CsvParser
+CsvRow header_of(std::string_view text, TextLocation place)
 {
-public:
-    CsvParser(std::string_view text, const std::string& path) : text_(text), path_(path) {}
-
-    CsvTable parse()
-    {
-        CsvTable table;
-        table.path = path_;
-        while (at('#'))
-            table.comments.push_back(comment());
-        table.header = header();
-        const std::size_t columns = table.header.fields.size();
-        while (!ended()) {
-            CsvRow next = row(columns);
-            if (next.fields.size() != columns)
-                refuse(table.place(next), is_empty_line(next)
-                                              ? "empty line, expected a row of " + counted(columns, "field")
-                                              : "row has " + counted(next.fields.size(), "field") + ", expected " +
-                                                    std::to_string(columns) + " as in the header");
-            table.rows.push_back(std::move(next));
-        }
-        return table;
-    }
-
-private:
-    std::string comment()
-    {
-        ++next_;
-        if (at(' '))
-            ++next_;
-        const std::size_t begin = next_;
-        for (; !ended() && !at_line_end(); ++next_)
-            require_text(text_[next_]);
-        const std::string_view words = text_.substr(begin, next_ - begin);
-        take_line_end();
-        return std::string(words);
-    }
-
-    CsvRow header()
-    {
-        if (ended())
-            refuse(place(), "the file ends here, expected a header with the names of the columns");
-        CsvRow names = row(0);
-        if (is_empty_line(names))
-            refuse({path_, names.line}, "empty line, expected the names of the columns");
-        std::vector<std::string> sorted = names.fields;
-        std::sort(sorted.begin(), sorted.end());
-        const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
-        if (twin != sorted.end())
-            refuse({path_, names.line}, "two columns are named " + in_quotes(*twin) + ", expected different names");
-        return names;
-    }
-
-    CsvRow row(std::size_t fields_to_expect)
-    {
-        CsvRow row;
-        row.fields.reserve(fields_to_expect);
-        row.line = line_;
-        for (;;) {
-            row.fields.push_back(at('"') ? quoted_field() : plain_field());
-            if (ended() || take_line_end())
-                return row;
-            if (!at(','))
-                refuse(place(), "text after a closing quote, expected a comma or the end of the line");
-            ++next_;
-        }
-    }
-
-    std::string plain_field()
-    {
-        const std::size_t begin = next_;
-        for (; !ended() && !at(',') && !at_line_end(); ++next_) {
-            require_text(text_[next_]);
-            if (at('"'))
-                refuse(place(), "quote inside a field, expected the whole field in quotes and this one doubled");
-        }
-        return std::string(text_.substr(begin, next_ - begin));
-    }
-
-    std::string quoted_field()
-    {
-        const TextLocation opening = place();
-        std::string field;
-        do {
-            ++next_; // the opening quote, or the second of a doubled quote
-            const std::size_t begin = next_;
-            for (; !ended() && !at('"'); ++next_) {
-                if (at('\n'))
-                    ++line_;
-                else if (!at_line_end())
-                    require_text(text_[next_]);
-            }
-            if (ended())
-                refuse(opening, "quote without end, expected a closing quote before the end of the file");
-            field += text_.substr(begin, next_ - begin);
-            ++next_;
-            if (at('"'))
-                field += '"';
-        } while (at('"'));
-        return field;
-    }
-
-    void require_text(char c) const
-    {
-        if (c == '\r')
-            refuse(place(), "carriage return inside a line, expected lines that end in LF or CRLF");
-        if (static_cast<unsigned char>(c) < ' ' && !is_blank(c))
-            refuse(place(), "control character, expected a text file (is it binary or damaged?)");
-    }
-
-    bool take_line_end()
-    {
-        if (!at_line_end())
-            return false;
-        next_ += at('\r') ? 2 : 1;
-        ++line_;
-        return true;
-    }
-
-    bool ended() const { return next_ == text_.size(); }
-    bool at(char c) const { return !ended() && text_[next_] == c; }
-    bool at_line_end() const { return at('\n') || (at('\r') && text_.substr(next_ + 1, 1) == "\n"); }
-    TextLocation place() const { return {path_, line_}; }
-
-    const std::string_view text_;
-    const std::string& path_;
-    std::size_t next_ = 0;
-    std::uint32_t line_ = 1;
-};
+    if (text.empty())
+        refuse(place, "empty line, expected the names of the columns");
+    CsvRow names = row_of(text, place);
+    std::vector<std::string> sorted = names.fields;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twin != sorted.end())
+        refuse(place, "two columns are named " + in_quotes(*twin) + ", expected different names");
+    return names;
+}
 
 } // namespace
 
@@ -177,7 +83,7 @@ void append_number(std::string& row, double value)
 
 std::string csv_field(const std::string& text)
 {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
+    if (text.find_first_of(",\"") == std::string::npos)
         return text;
     std::string field = "\"";
     for (const char c : text)
@@ -206,19 +112,29 @@ double CsvTable::number(const CsvRow& row, std::size_t column) const
     return read_number(row.fields[column], place(row), header.fields[column]);
 }
 
-CsvTable parse_csv(std::string_view text, const std::string& path)
-{
-    return CsvParser(text, path).parse();
-}
-
 CsvTable read_csv(const std::string& path)
 {
+    CsvTable table;
+    table.path = path;
     TextLines lines(path, false);
-    std::string text;
     TextLine line;
-    while (lines.next(line))
-        text.append(line.text).append(line.ended ? "\n" : "");
-    return parse_csv(text, path);
+    while (lines.next(line)) {
+        const std::size_t columns = table.header.fields.size();
+        if (columns == 0 && line.text.substr(0, 1) == "#") {
+            table.comments.emplace_back(line.text.substr(line.text.substr(0, 2) == "# " ? 2 : 1));
+        } else if (columns == 0) {
+            table.header = header_of(line.text, line.place);
+        } else {
+            table.rows.push_back(row_of(line.text, line.place));
+            if (table.rows.back().fields.size() != columns)
+                refuse(line.place, "row has " + counted(table.rows.back().fields.size(), "field") + ", expected " +
+                                       std::to_string(columns) + " as in the header");
+        }
+    }
+    if (table.header.fields.empty())
+        refuse({path, static_cast<std::uint32_t>(table.comments.size()) + 1},
+               "the file ends here, expected a header with the names of the columns");
+    return table;
 }
 
 } // namespace multipath

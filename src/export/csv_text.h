@@ -20,7 +20,7 @@ std::optional<std::string> comment_value(const std::vector<std::string>& comment
 /// Appends a number with 17 significant digits, which are read back as the same double; -0.0 is written as 0.
 void append_number(std::string& row, double value);
 
-/// Formats text as a CSV field: in quotes if it contains commas, quotes or line ends.
+/// Formats text as a CSV field: in quotes if it contains commas or quotes.
 std::string csv_field(const std::string& text);
 
 struct CsvRow
@@ -50,14 +50,9 @@ struct CsvTable
     TextLocation place(const CsvRow& row) const { return {path, row.line}; }
 };
 
-/// Parses CSV according to RFC 4180: fields are quoted entirely or not at all, and lines end in LF or CRLF. In
-/// addition, lines before the header that start with `#` are comments. Throws InputError for anything else, for control
-/// characters other than tabs (horizontal and vertical) and form feeds, and for two columns with the same name. `path`
-/// is for messages.
-CsvTable parse_csv(std::string_view text, const std::string& path);
-
-/// Parses a CSV file, whose lines may also end in CR alone. Throws InputError like parse_csv(), and if the file cannot
-/// be read, is UTF-16 text, or has a line longer than 16 MiB.
+/// Reads a CSV file: RFC 4180, but without line ends in fields, and with comments, the lines before the header that
+/// start with `#`. Fields are quoted entirely or not at all. Throws InputError for anything else, for two columns with
+/// the same name, and where TextLines does.
 CsvTable read_csv(const std::string& path);
 
 } // namespace multipath
