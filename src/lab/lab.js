@@ -163,8 +163,8 @@ class Laboratory {
     else
       this.viewer.show(data);
     this.shown_key = this.key;
-    this.run.light = this.viewer.quantities.list[0];
-    this.run.results.push({ lines, values: this.run.light.patches });
+    this.run.light = this.viewer.quantities[0];
+    this.run.results.push({ lines, values: this.run.light.values });
     this.measure(this.run);
     this.show_comparison();
     if (!this.reference_job) // after the first picture
@@ -194,7 +194,7 @@ class Laboratory {
   measure(run) {
     if (this.reference)
       run.points = run.results.map(({ lines, values }) =>
-        ({ lines, error: relative_error(values.list, this.reference, this.areas) }));
+        ({ lines, error: relative_error(values, this.reference, this.areas) }));
     this.show_curve();
   }
 
@@ -226,7 +226,7 @@ class Laboratory {
     const { viewer } = this, patch = viewer?.state.selected;
     if (patch === null || patch === undefined)
       return;
-    const { surfaces, rays } = lights_of(patch, viewer.room, this.run.light.patches), most = Math.max(...rays.map(ray => ray.light));
+    const { surfaces, rays } = lights_of(patch, viewer.room, this.run.light.values), most = Math.max(...rays.map(ray => ray.light));
     this.controls.show_lights(surfaces.map(({ surface, share }) => ({ name: viewer.room.surface_name(surface), share })));
     viewer.show_rays(rays.map(({ from, to, light }) =>
       ({ from, to, width: 1.5, colour: [...line_ink.slice(0, 3), 0.15 + 0.85 * light / most] })));

@@ -26,7 +26,7 @@ function lights_of(patch, room, radiosity) {
     const hit = room.nearest_hit(plus(start, times(1e-6 * room.size, normal)), cosine_direction(normal));
     if (!hit || hit.patch === null)
       continue;
-    const power = mean(radiosity.at(hit.patch)), surface = room.surface_of(hit.patch);
+    const power = mean(three_at(radiosity, hit.patch)), surface = room.surface_of(hit.patch);
     if (rays.length < 100)
       rays.push({ from: start, to: room.point(surface, hit.u, hit.v), light: power });
     light.set(surface, (light.get(surface) || 0) + power);

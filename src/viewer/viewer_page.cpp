@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -25,13 +26,14 @@ namespace multipath {
 
 namespace {
 
-constexpr int mantissa_bits = 9;
-constexpr int exponent_bias = 15;
-constexpr int most_mantissa = 511;
-
-double clipped(double channel)
+/// The bits of a number in [0, largest_half] as a float of 16 bits (IEEE 754), rounded. Times 2^-112 it has the same
+/// exponent as a float of 32 bits, with 13 more digits.
+std::uint16_t half_float(double value)
 {
-    return channel > 0.0 ? std::min(channel, largest_shared) : 0.0; // 0 for NaN
+    const auto shifted = static_cast<float>(std::ldexp(value, -112));
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &shifted, sizeof bits);
+    return static_cast<std::uint16_t>((bits + 0x1000u) >> 13);
 }
 
 } // namespace
@@ -66,40 +68,21 @@ std::string packed_colours(const std::vector<Rgb>& values)
     return base64(bytes);
 }
 
-std::uint32_t shared_exponent(Rgb colour)
-{
-    const Rgb c = {clipped(colour.r), clipped(colour.g), clipped(colour.b)};
-    const double brightest = std::max({c.r, c.g, c.b});
-    int exponent = 0;
-    if (brightest > 0.0) {
-        int magnitude = 0;
-        std::frexp(brightest, &magnitude); // brightest < 2^magnitude
-        exponent = std::max(0, magnitude + exponent_bias);
-    }
-    // Rounding may carry into a tenth bit of the mantissa.
-    if (std::lround(std::ldexp(brightest, mantissa_bits + exponent_bias - exponent)) > most_mantissa)
-        ++exponent;
-    const auto mantissa = [&](double channel) {
-        return static_cast<std::uint32_t>(std::lround(std::ldexp(channel, mantissa_bits + exponent_bias - exponent)));
-    };
-    return mantissa(c.r) | mantissa(c.g) << 9 | mantissa(c.b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
-}
-
 PackedLight packed_light(const std::vector<Rgb>& values)
 {
     double brightest = 0.0;
     for (const Rgb& value : values)
-        for (const double channel : {value.r, value.g, value.b})
-            if (std::isfinite(channel))
-                brightest = std::max(brightest, channel);
+        brightest = std::max({brightest, value.r, value.g, value.b});
     PackedLight packed;
     if (brightest > 0.0)
-        packed.unit = elementary::exp2(std::ceil(elementary::log2(brightest / largest_shared)));
-    std::vector<std::uint32_t> words;
-    words.reserve(values.size());
+        packed.unit = brightest / largest_half;
+    std::string bytes;
     for (const Rgb& value : values)
-        words.push_back(shared_exponent((1.0 / packed.unit) * value));
-    packed.words = packed_counts(words);
+        for (const double channel : {value.r, value.g, value.b}) {
+            const std::uint16_t half = half_float(channel / packed.unit);
+            bytes += {static_cast<char>(half & 0xffu), static_cast<char>(half >> 8)};
+        }
+    packed.halves = base64(bytes);
     return packed;
 }
 
@@ -343,13 +326,13 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, int
         const PackedLight corners =
             packed_light(corner_values(scene, without_texture(scene, quantity.values), threads));
         json.text("values", packed_colours(quantity.values));
-        json.text("corners", corners.words).number("corners_unit", corners.unit);
+        json.text("corners", corners.halves).number("corners_unit", corners.unit);
         return json;
     }
     std::vector<double> means;
     for (const Rgb& value : quantity.values)
         means.push_back(mean(value));
-    json.text("means", packed_numbers(means));
+    json.text("values", packed_numbers(means));
     json.object("legend", legend_json(means));
     return json;
 }

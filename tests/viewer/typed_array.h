@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -43,6 +44,20 @@ inline std::vector<float> float32_array(const std::string& text)
         float number = 0.0f;
         std::memcpy(&number, &word, sizeof number);
         numbers.push_back(number);
+    }
+    return numbers;
+}
+
+/// Floating-point numbers of 16 bits (IEEE 754) that are not negative.
+inline std::vector<double> float16_array(const std::string& text)
+{
+    const std::string bytes = base64_decoded(text);
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k + 1 < bytes.size(); k += 2) {
+        const int bits = static_cast<unsigned char>(bytes[k]) | static_cast<unsigned char>(bytes[k + 1]) << 8;
+        const int exponent = bits >> 10;
+        const int digits = bits & 1023;
+        numbers.push_back(exponent == 0 ? std::ldexp(digits, -24) : std::ldexp(1024 + digits, exponent - 25));
     }
     return numbers;
 }

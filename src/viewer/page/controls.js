@@ -6,8 +6,8 @@ const click_distance = 5; // [pixels] a click may move this far
 const walking_speed = 0.22; // of the room's size per second
 
 class Controls {
-  constructor(viewer, canvas, panel, trace_panel) {
-    Object.assign(this, { viewer, canvas, panel, trace_panel });
+  constructor(viewer, canvas, trace_panel) {
+    Object.assign(this, { viewer, canvas, trace_panel });
     this.pointers = new Map(); // position of each pressed pointer, by its id
     this.travelled = 0;
     this.held = new Set(); // walking keys that are down
@@ -95,29 +95,20 @@ class Controls {
     event.preventDefault();
   }
 
-  // Runs the shortcut of a key. False if it has none.
+  // Runs the shortcut of a key: a click on the control that the page names for it. False if there is none.
   shortcut(key) {
-    const { viewer, panel, trace_panel } = this, { state, quantities } = viewer;
-    const expose = stops => viewer.change({ exposure: clamped(state.exposure + stops, -6, 6) });
-    const in_trace = act => { trace_panel.open(true); act(); };
-    const shortcuts = {
-      v: () => viewer.change({ motion: state.motion === 'orbit' ? 'walk' : 'orbit' }),
-      r: () => viewer.go_home(),
-      c: () => panel.copy_view(),
-      f: () => viewer.change({ shading: state.shading === 'smooth' ? 'flat' : 'smooth' }),
-      m: () => viewer.change({ mesh: !state.mesh }),
-      t: () => viewer.change({ quantity: (state.quantity + 1) % quantities.list.length }),
-      '+': () => expose(0.5), '=': () => expose(0.5), '-': () => expose(-0.5),
-      p: () => in_trace(() => trace_panel.play(trace_panel.timer === null)),
-      ',': () => in_trace(() => trace_panel.step(-1)),
-      '.': () => in_trace(() => trace_panel.step(1)),
-      h: () => panel.fold(!panel.folded),
-      '?': () => panel.help(),
-    };
-    if (!Object.hasOwn(shortcuts, key))
-      return false;
-    shortcuts[key]();
-    return true;
+    const { viewer, trace_panel } = this, { exposure, quantity } = viewer.state;
+    const control = document.querySelector(`[data-key="${CSS.escape(key)}"]:not([type=radio]:checked)`);
+    const stops = { '+': 0.5, '=': 0.5, '-': -0.5 }[key];
+    if (control && element('trace').contains(control))
+      trace_panel.open(true);
+    if (control)
+      control.click();
+    else if (key === 't')
+      viewer.change({ quantity: (quantity + 1) % viewer.quantities.length });
+    else if (stops)
+      viewer.change({ exposure: clamped(exposure + stops, -6, 6) });
+    return Boolean(control || key === 't' || stops);
   }
 
   // Walks while a key is down. The first step comes at once, so that a short press moves too.

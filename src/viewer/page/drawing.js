@@ -191,7 +191,7 @@ class Drawing {
     this.mark_array = this.gl.createVertexArray();
     this.mark_buffer = this.gl.createBuffer();
     this.mark_count = 0;
-    this.textures = new Map(); // by their Values
+    this.textures = new Map(); // by their lists of numbers
     this.images = []; // decoded textures of the room, by their index
     this.arrived = this.texture('colours', new Float32Array(3));
     this.blank = this.texture('colours', new Float32Array(3));
@@ -246,13 +246,9 @@ class Drawing {
     const sharp = gl.getExtension('EXT_texture_filter_anisotropic');
     const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
     for (const [number, { type, data, repeats }] of list.entries()) {
-      let bitmap = await createImageBitmap(new Blob([bytes_of(data)], { type }), options).catch(() => null);
-      if (!bitmap)
+      const bitmap = await createImageBitmap(new Blob([bytes_of(data)], { type }), options).catch(() => null);
+      if (!bitmap || Math.max(bitmap.width, bitmap.height) > most)
         continue; // its surfaces show their mean colour
-      const shrink = most / Math.max(bitmap.width, bitmap.height);
-      if (shrink < 1)
-        bitmap = await createImageBitmap(bitmap, { ...options, resizeQuality: 'high',
-          resizeWidth: Math.max(1, Math.floor(shrink * bitmap.width)), resizeHeight: Math.max(1, Math.floor(shrink * bitmap.height)) });
       const texture = gl.createTexture(), wrap = repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE;
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
@@ -309,7 +305,7 @@ class Drawing {
     const [channels, internal, format, type] = {
       colours: [3, gl.RGB32F, gl.RGB, gl.FLOAT],
       cells: [4, gl.RGBA32I, gl.RGBA_INTEGER, gl.INT],
-      corners: [1, gl.RGB9_E5, gl.RGB, gl.UNSIGNED_INT_5_9_9_9_REV],
+      corners: [3, gl.RGB16F, gl.RGB, gl.HALF_FLOAT],
       means: [1, gl.R32F, gl.RED, gl.FLOAT],
     }[kind];
     const count = list.length / channels, width = Math.min(texels_per_row, count), height = Math.ceil(count / width);
@@ -333,10 +329,10 @@ class Drawing {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   }
 
-  texture_of(values) {
-    if (!this.textures.has(values))
-      this.textures.set(values, this.texture(values.kind, values.list));
-    return this.textures.get(values);
+  texture_of(kind, list) {
+    if (!this.textures.has(list))
+      this.textures.set(list, this.texture(kind, list));
+    return this.textures.get(list);
   }
 
   set_colour_map(bytes) {
@@ -410,11 +406,11 @@ class Drawing {
   }
 
   draw_room(to_clip, look) {
-    const gl = this.gl, { program, uniforms } = this.room_program, { values } = look;
+    const gl = this.gl, { program, uniforms } = this.room_program, { values } = look, smooth = look.smooth && values.light;
     gl.useProgram(program);
     const textures = {
-      patch_values: this.texture_of(values.patches),
-      corner_values: look.smooth && values.corners ? this.texture_of(values.corners) : this.texture_of(values.patches),
+      patch_values: this.texture_of(values.light ? 'colours' : 'means', values.values),
+      corner_values: smooth ? this.texture_of('corners', values.corners) : this.blank,
       arrived: this.arrived, colour_map: this.colour_map, cells: this.cells, surfaces: this.surfaces };
     Object.entries(textures).forEach(([name, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
@@ -424,11 +420,11 @@ class Drawing {
     gl.uniform1i(uniforms.image, 6);
     gl.uniformMatrix4fv(uniforms.to_clip, false, to_clip);
     gl.uniform1i(uniforms.backs_patch, this.room.cell_count);
-    gl.uniform1f(uniforms.patch_scale, look.scale * values.patches.unit);
-    gl.uniform1f(uniforms.corner_scale, look.scale * (values.corners ? values.corners.unit : 1));
+    gl.uniform1f(uniforms.patch_scale, look.scale);
+    gl.uniform1f(uniforms.corner_scale, look.scale * (values.corners_unit || 1));
     gl.uniform1f(uniforms.arrived_scale, look.arrived_scale);
     gl.uniform1i(uniforms.tone, look.tone);
-    gl.uniform1i(uniforms.smooth_shading, look.smooth && values.corners ? 1 : 0);
+    gl.uniform1i(uniforms.smooth_shading, smooth ? 1 : 0);
     gl.uniform1i(uniforms.false_colours, values.light ? 0 : 1);
     gl.uniform1i(uniforms.borders, look.borders ? 1 : 0);
     gl.uniform3f(uniforms.nothing, 0.13, 0.13, 0.14);

@@ -30,6 +30,7 @@ async function copy_text(button, text) {
 class Panel {
   constructor(viewer) {
     this.viewer = viewer;
+    this.controls = document.querySelectorAll('[data-state]'); // each shows the part of the state that is its name
     this.listen();
     this.fold(window.matchMedia('(max-width: 640px)').matches);
   }
@@ -42,7 +43,7 @@ class Panel {
     element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
     for (const fact of [data.scene, `${grouped(data.patches)} patches`, ...data.record])
       append_element(element('record'), 'li', fact);
-    quantities.list.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
+    quantities.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
     for (const name of Object.keys(data.tone.scales))
       append_element(element('tone'), 'option', name === 'aces' ? 'film (ACES)' : name).value = name;
   }
@@ -50,14 +51,8 @@ class Panel {
   listen() {
     const viewer = this.viewer;
     const on = (id, event, act) => element(id).addEventListener(event, act);
-    on('quantity', 'change', event => viewer.change({ quantity: Number(event.target.value) }));
-    for (const choice of document.getElementsByName('shading'))
-      choice.addEventListener('change', () => viewer.change({ shading: choice.value }));
-    for (const choice of document.getElementsByName('motion'))
-      choice.addEventListener('change', () => viewer.change({ motion: choice.value }));
-    on('mesh', 'change', event => viewer.change({ mesh: event.target.checked }));
-    on('exposure', 'input', event => viewer.change({ exposure: Number(event.target.value) }));
-    on('tone', 'change', event => viewer.change({ tone: event.target.value }));
+    for (const control of this.controls)
+      control.addEventListener('input', () => viewer.change({ [control.name]: this.value_of(control) }));
     on('home', 'click', () => viewer.go_home());
     on('copy-view', 'click', () => this.copy_view());
     on('save-view', 'click', () => save_as('view.json',
@@ -65,6 +60,10 @@ class Panel {
     on('save-picture', 'click', () => save_as('view.png', viewer.png()));
     on('fold', 'click', () => this.fold(!this.folded));
     on('help-button', 'click', () => this.help());
+  }
+
+  value_of(control) {
+    return control.type === 'checkbox' ? control.checked : control.dataset.state === 'number' ? Number(control.value) : control.value;
   }
 
   fold(folded) {
@@ -82,21 +81,18 @@ class Panel {
 
   // Shows the state; called after every change.
   refresh(state) {
-    element('quantity').value = state.quantity;
-    for (const name of ['shading', 'motion'])
-      for (const choice of document.getElementsByName(name))
-        choice.checked = choice.value === state[name];
-    element('mesh').checked = state.mesh;
-    element('exposure').value = state.exposure;
+    for (const control of this.controls)
+      if (control.type === 'radio') control.checked = control.value === state[control.name];
+      else if (control.type === 'checkbox') control.checked = state[control.name];
+      else control.value = state[control.name];
     element('exposure-text').textContent = `${state.exposure > 0 ? '+' : ''}${number_text(state.exposure)} stops`;
-    element('tone').value = state.tone;
     this.show_kind();
     this.show_patch(state.selected);
   }
 
   // Adapts the controls to light, or to false colours, which have a legend but no exposure.
   show_kind() {
-    const drawn = this.viewer.quantities.list[this.viewer.drawn_quantity];
+    const drawn = this.viewer.quantities[this.viewer.drawn_quantity];
     document.body.classList.toggle('false-colours', !drawn.light);
     this.show_legend(drawn);
   }
@@ -106,7 +102,7 @@ class Panel {
     if (!legend)
       return;
     element('legend-title').textContent = `${title} [${unit}]`;
-    const context = element('legend-bar').getContext('2d'), map = this.viewer.quantities.colour_map;
+    const context = element('legend-bar').getContext('2d'), map = this.viewer.colour_map;
     const bar = context.createImageData(256, 1);
     for (let x = 0; x < 256; ++x)
       bar.data.set([map[3 * x], map[3 * x + 1], map[3 * x + 2], 255], 4 * x);
@@ -126,9 +122,9 @@ class Panel {
     const back = room.is_back(patch) ? ', its back' : '';
     const rows = [['Number', String(patch)], ['Surface', room.surface_name(room.surface_of(patch)) + back],
                   ['Material', material.name], ['Reflectance ρ', colour_text(room.reflectance(patch))],
-                  [`Emittance E [${quantities.list[0].unit}]`, colour_text(room.emittance(patch))]];
-    for (const { title, unit, patches } of quantities.list)
-      rows.push([`${title} [${unit}]`, colour_text(patches.at(patch))]);
+                  [`Emittance E [${quantities[0].unit}]`, colour_text(room.emittance(patch))]];
+    for (const quantity of quantities)
+      rows.push([`${quantity.title} [${quantity.unit}]`, colour_text(value_at(quantity, patch))]);
     for (const [name, value] of rows) {
       const row = append_element(element('patch-rows'), 'tr', '');
       append_element(row, 'th', name).scope = 'row';

@@ -1,38 +1,11 @@
 'use strict';
-// Quantities that can be shown: values of patches, as light or in false colours.
+// Quantities that can be shown: values of patches, as light or in false colours; numbers as text.
 
-// Values for a texture, unpacked when they are first needed.
-class Values {
-  constructor(kind, unit, unpack) {
-    this.kind = kind; // 'colours': three numbers each; 'means': one number each; 'corners': one packed word each
-    this.unit = unit;
-    this.unpack = unpack;
-  }
-
-  get list() { return this.unpacked ||= this.unpack(); }
-
-  // Value n as a list of one or three numbers.
-  at(n) {
-    const size = this.kind === 'colours' ? 3 : 1;
-    return Array.from(this.list.subarray(size * n, size * (n + 1)));
-  }
-}
-
-const colours_of = text => new Values('colours', 1, () => numbers_of(text));
-
-// Light of the patches, and of their corners for smooth shading; or one number for each patch.
-const values_of = data => data.means ? { light: false, patches: new Values('means', 1, () => numbers_of(data.means)) }
-  : { light: true, patches: colours_of(data.values), corners: new Values('corners', data.corners_unit, () => counts_of(data.corners)) };
-
-class Quantities {
-  constructor(data) {
-    this.list = data.quantities.map(quantity => ({
-      key: quantity.key, title: quantity.title, unit: quantity.unit, legend: quantity.legend,
-      ...values_of(quantity),
-    }));
-    this.colour_map = bytes_of(data.colour_map);
-  }
-}
+// A quantity: { key, title, unit, legend, light, values, corners, corners_unit }, with three numbers per patch and, at the
+// corners of the patches, three of 16 bits, each in corners_unit, if it is shown as light; else with one per patch.
+const quantity_of = ({ values, corners, ...data }) => ({ ...data, light: !data.legend, values: numbers_of(values),
+  corners: corners && new Uint16Array(bytes_of(corners).buffer) });
+const value_at = ({ light, values }, patch) => light ? three_at(values, patch) : [values[patch]];
 
 // A number as text with this many digits.
 function number_text(x, digits = 4) {

@@ -22,6 +22,7 @@ function bytes_of(text) {
 }
 const counts_of = text => new Uint32Array(bytes_of(text).buffer);
 const numbers_of = text => new Float32Array(bytes_of(text).buffer);
+const three_at = (list, n) => Array.from(list.subarray(3 * n, 3 * n + 3));
 
 // The room: its surfaces, and the patches that they are cut into.
 class Room {
@@ -42,7 +43,7 @@ class Room {
     this.group = counts_of(data.surfaces.groups);
     this.line = counts_of(data.surfaces.lines);
     this.frames = numbers_of(data.surfaces.texture_frames);
-    this.reflectances = data.reflectances ? colours_of(data.reflectances) : null;
+    this.reflectances = data.reflectances ? numbers_of(data.reflectances) : null;
     this.covered = new Set(counts_of(data.surfaces.covered));
     this.surface_count = this.triangles.length;
     this.cell_count = this.cells.length / 3;
@@ -65,10 +66,9 @@ class Room {
 
   first_patch(s) { return s < this.surface_count ? this.grids[3 * s + 2] : this.cell_count; }
   grid(s) { return this.grids.subarray(3 * s, 3 * s + 2); }
-  vector(s, k) { return Array.from(this.geometry.subarray(9 * s + 3 * k, 9 * s + 3 * k + 3)); }
-  origin(s) { return this.vector(s, 0); }
-  edge_u(s) { return this.vector(s, 1); }
-  edge_v(s) { return this.vector(s, 2); }
+  origin(s) { return three_at(this.geometry, 3 * s); }
+  edge_u(s) { return three_at(this.geometry, 3 * s + 1); }
+  edge_v(s) { return three_at(this.geometry, 3 * s + 2); }
   point(s, u, v) { return plus(this.origin(s), plus(times(u, this.edge_u(s)), times(v, this.edge_v(s)))); }
 
   shows_texture(s) { return this.frames.length > 0 && Number.isFinite(this.frames[6 * s]); }
@@ -98,7 +98,7 @@ class Room {
 
   surface_of(patch) { return this.surface[patch % this.cell_count]; }
   material_of(patch) { return this.materials[this.material[this.surface_of(patch)]]; }
-  reflectance(patch) { return this.reflectances ? this.reflectances.at(patch) : this.material_of(patch).reflectance; }
+  reflectance(patch) { return this.reflectances ? three_at(this.reflectances, patch) : this.material_of(patch).reflectance; }
   emittance(patch) { return this.is_back(patch) ? [0, 0, 0] : this.material_of(patch).emittance; }
 
   // The corner and the size of a patch as shares of the edges of its surface: { u, v, along_u, along_v }.

@@ -11,13 +11,6 @@ const channels = power => power.length === 3 ? power : [power[0], power[0], powe
 const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
-// The unit in which the median power of the transfers is a number above one.
-function usual_unit(chapter, base) {
-  const usual = median(chapter.lines.flatMap(line => line.transfers.map(({ counted }) => mean(channels(counted))))) || 1;
-  const units = [['', 1], ['m', 1e-3], ['µ', 1e-6], ['n', 1e-9]].map(([prefix, size]) => ({ name: prefix + base, size }));
-  return units.find(({ size }) => usual >= size) || units[3];
-}
-
 // The traced lines in their chapters, and the lines shown so far.
 class Trace {
   constructor(chapters, room) {
@@ -27,12 +20,10 @@ class Trace {
     this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
     this.line = 0; // number of lines shown; 0: none yet
     this.scales = chapters.map(chapter => this.glow_scale(chapter));
-    this.units = chapters.map(chapter => usual_unit(chapter, room.power_unit));
   }
 
   get lines() { return this.chapters.length > 0 ? this.chapters[this.chapter].lines : []; }
   get current() { return this.line > 0 ? this.lines[this.line - 1] : null; }
-  get unit() { return this.units[this.chapter]; }
   get scale() { return this.scales[this.chapter] || 1; }
 
   choose(chapter) {
@@ -185,8 +176,7 @@ class TracePanel {
     const meets = line && line.crossings.length > 0;
     element('transfer-none').textContent = !line || transfers.length > 0 ? ''
       : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
-    const unit = this.viewer.trace.unit;
-    element('power-unit').textContent = unit.name;
+    element('power-unit').textContent = this.viewer.room.power_unit;
     element('transfer-rows').replaceChildren();
     for (const transfer of transfers) {
       const row = append_element(element('transfer-rows'), 'tr', '');
@@ -194,7 +184,7 @@ class TracePanel {
       this.add_patch(row, transfer.to);
       const forecast = channels(transfer.forecast), held = channels(transfer.held);
       for (const power of [forecast, held, plus(forecast, held)])
-        append_element(row, 'td', colour_text(times(1 / unit.size, power), 3));
+        append_element(row, 'td', colour_text(power, 3));
     }
   }
 

@@ -11,7 +11,7 @@ class Viewer {
     this.state = { quantity: 0, shading: 'smooth', mesh: false, motion: 'orbit', exposure: 0, selected: null };
     this.panel = new Panel(this);
     this.trace_panel = new TracePanel(this);
-    this.controls = new Controls(this, canvas, this.panel, this.trace_panel);
+    this.controls = new Controls(this, canvas, this.trace_panel);
     new ResizeObserver(() => this.request_draw()).observe(canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.request_draw());
   }
@@ -28,12 +28,13 @@ class Viewer {
 
   // Shows other results in the same room, as it is seen now.
   show_light(data) {
-    this.drawing.forget(this.other ? [this.other.patches, this.other.corners] : []);
-    this.quantities = new Quantities(data);
+    this.drawing.forget(this.other ? [this.other.values, this.other.corners] : []);
+    this.quantities = data.quantities.map(quantity_of);
+    this.colour_map = bytes_of(data.colour_map);
     this.trace = new Trace(data.trace, this.room);
-    this.drawing.set_colour_map(this.quantities.colour_map);
+    this.drawing.set_colour_map(this.colour_map);
     this.scales = data.tone.scales;
-    this.state.quantity = Math.min(this.state.quantity, this.quantities.list.length - 1);
+    this.state.quantity = Math.min(this.state.quantity, this.quantities.length - 1);
     this.panel.show(data);
     this.trace_panel.show_chapters();
     this.change({});
@@ -95,7 +96,7 @@ class Viewer {
 
   // The current parameters of Drawing.draw().
   look() {
-    const { state, trace } = this, values = this.quantities.list[this.drawn_quantity];
+    const { state, trace } = this, values = this.quantities[this.drawn_quantity];
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
       values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
@@ -146,21 +147,6 @@ class Viewer {
     const box = this.canvas.getBoundingClientRect();
     this.change({ selected: this.patch_at(box.left + box.width / 2, box.top + box.height / 2) });
   }
-
-  // Statistics of the current picture: mean of red, green and blue (0 ... 255), and the share of pixels that differ
-  // from the most frequent colour.
-  statistics() {
-    const { width, height, bytes } = this.drawing.pixels(this.camera, this.look());
-    const sum = [0, 0, 0], counts = new Map();
-    for (let k = 0; k < bytes.length; k += 4) {
-      for (let channel = 0; channel < 3; ++channel)
-        sum[channel] += bytes[k + channel];
-      const kind = (bytes[k] >> 3) << 10 | (bytes[k + 1] >> 3) << 5 | bytes[k + 2] >> 3;
-      counts.set(kind, (counts.get(kind) || 0) + 1);
-    }
-    const pixels = width * height;
-    return { width, height, mean: sum.map(x => x / pixels), varied: 1 - Math.max(...counts.values()) / pixels };
-  }
 }
 
 // The interface for scripts and tests; see docs/builders/page.md.
@@ -173,10 +159,9 @@ function script_interface(viewer) {
     change: part => viewer.change(part),
     patch_at: (x, y) => viewer.patch_at(x, y),
     hit_at: (x, y) => viewer.hit_at(x, y),
-    values: patch => Object.fromEntries(viewer.quantities.list.map(({ key, patches }) => [key, patches.at(patch)])),
+    values: patch => Object.fromEntries(viewer.quantities.map(quantity => [quantity.key, value_at(quantity, patch)])),
     arrived: () => viewer.trace.arrived(),
     picture: () => viewer.drawing.pixels(viewer.camera, viewer.look()),
-    statistics: () => viewer.statistics(),
     view: () => viewer.view(),
     view_options: () => viewer.view_options(),
     get camera() { return viewer.camera; },
