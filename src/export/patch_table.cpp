@@ -38,36 +38,14 @@ std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const st
                  std::uint32_t first, std::uint32_t end)
 {
     std::string table;
-    // These belong to the side of the current patch, and are formatted once per side.
-    std::string material;
-    std::string normal;
-    std::uint32_t next_side = first;
-    // These seldom change from patch to patch.
-    std::string constants;
-    Rgb reflectance;
-    Rgb emittance;
     for (std::uint32_t i = first; i < end; ++i) {
         const Patch patch = scene.patch(i);
-        if (i == next_side) {
-            next_side = scene.first_patch(patch.surface, scene.is_front(i)) +
-                        static_cast<std::uint32_t>(scene.tessellation(patch.surface).cell_count());
-            material = csv_field(scene.material_of(i).name);
-            normal.clear();
-            append(normal, patch.shape.normal());
-        }
-        if (constants.empty() || scene.reflectance(i) != reflectance || scene.emittance(i) != emittance) {
-            reflectance = scene.reflectance(i);
-            emittance = scene.emittance(i);
-            constants.clear();
-            append(constants, reflectance);
-            append(constants, emittance);
-        }
-        table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + material;
+        table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + csv_field(scene.material_of(i).name);
         append(table, patch.shape.centre());
-        table += normal;
+        append(table, patch.shape.normal());
         append(table, scene.is_sky(patch.surface) ? 0.0 : scene.area(i));
-        table += constants;
-        append(table, radiosity[i]);
+        for (const Rgb colour : {scene.reflectance(i), scene.emittance(i), radiosity[i]})
+            append(table, colour);
         if (!standard_error.empty())
             append(table, standard_error[i]);
         table += "\n";
