@@ -228,8 +228,8 @@ TEST_CASE("a page says the same of every surface, material and patch")
     content.lines = 4321;
     content.shown = 1;
     for (std::uint64_t key = 1; key <= 2; ++key)
-        content.quantities.push_back({key == 1 ? "radiosity" : "more", key == 1 ? "Radiosity" : "More", "W",
-                                      ViewerColours::light, irregular_values(scene.patch_count(), key)});
+        content.quantities.push_back({key == 1 ? "radiosity" : "more", key == 1 ? "Radiosity" : "More", "W", true,
+                                      irregular_values(scene.patch_count(), key)});
     TracedLine line;
     line.points = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9.5}};
     line.joins = {false, true};
@@ -315,11 +315,12 @@ TEST_CASE("a page says the same of every surface, material and patch")
     for (std::size_t k = 0; k < 2; ++k) {
         const std::vector<Rgb>& values = content.quantities[k].values;
         check_colours(room["quantities"][k]["values"], [&](std::uint32_t i) { return values[i]; });
-        const std::vector<Rgb> right = corner_values(scene, without_texture(scene, values), 1);
+        const CornerValues right = corner_values(scene, without_texture(scene, values), 1);
         const std::vector<Rgb> corners = unpacked(room["quantities"][k], "corners");
-        REQUIRE(corners.size() == right.size());
-        for (std::size_t n = 0; n < right.size(); ++n)
-            CHECK(nearly(corners[n], right[n], 5e-4));
+        REQUIRE(corners.size() == right.values.size());
+        CHECK(uint32_array(room["quantities"][k]["own_places"].text) == right.own_places);
+        for (std::size_t n = 0; n < corners.size(); ++n)
+            CHECK(nearly(corners[n], right.values[n], 5e-4));
     }
     CHECK(room["lines"].count() == 4321);
     CHECK(room["shown"].count() == 1);

@@ -190,7 +190,7 @@ JsonObject worst_json(const Comparison& c, const WorstPatch& patch)
     JsonObject json;
     json.count("patch", patch.patch);
     json.text("material", c.b.materials[patch.patch]);
-    json.numbers("centre", {centre.x, centre.y, centre.z});
+    json.numbers("centre", centre);
     json.number("radiosity", mean(c.a.radiosity[patch.patch]));
     json.number("reference_radiosity", mean(c.b.radiosity[patch.patch]));
     json.number("share", patch.share);

@@ -42,8 +42,6 @@ StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint6
             format(" %.4g%cm^2 of it. ", bundle.section(), tied_space) +
             "Along a line that joins two patches, each sends the other its radiosity times twice that, over the number "
             "of directions (P1)."};
-    trace.note = "Parallel lines cross the whole scene. Where one leaves a patch and meets another, the two "
-                 "exchange power according to their radiosities after the last iteration.";
     trace.kind = "line";
     trace.count = bundle.count();
     return trace;

@@ -138,12 +138,7 @@ StageTrace global_stage(const Scene& scene, const SolveOptions& options, const F
     trace.context = {before_the_pass(before) + "The pass distributes it with " +
                          counted(before.lines_charged, "global line", "global lines") +
                          lines_drawn(chords_of(options) == Chords::box, before.lines_cast),
-                     power_sent(scene, before.crossings_per_area, options.bidirectional),
-                     "Power flows where a line leaves one patch and arrives at another, which the columns 'leaves' and "
-                     "'arrives at' of two successive rows show."};
-    trace.note =
-        "A line crosses the whole scene. Where it leaves one patch and meets another, the two exchange power: each "
-        "sends its forecast, a share of what was unshot, and all that it has received and reflected since.";
+                     power_sent(scene, before.crossings_per_area, options.bidirectional)};
     trace.kind = "line";
     trace.from_outside = true;
     trace.count = before.lines_cast;

@@ -44,8 +44,6 @@ StageTrace iteration_stage(std::uint64_t series_rays, std::uint64_t rays, bool b
                            "the other, each patch sends its radiosity over d + e along every ray between them, "
                            "whichever patch the ray leaves (J2)."
                          : "If d rays per m^2 leave a patch, it sends its radiosity over d along each of them (J1)."};
-    trace.note = "All patches send their power, emitted and reflected, by rays in proportion to it";
-    trace.note += bidirectional ? "; a ray also brings back what the patch at its end sends." : ".";
     trace.kind = "ray";
     trace.count = rays;
     return trace;

@@ -75,8 +75,6 @@ StageTrace trace_particles(const Scene& scene, const SolveOptions& options, cons
         (options.estimator == Estimator::collision
              ? "Wherever it arrives, its power is scored as arrived (L1)."
              : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1).")};
-    trace.note = "Particles leave the sources and are reflected from patch to patch, until they are absorbed or "
-                 "leave the scene.";
     trace.kind = "particle";
     trace_paths(scene, options, particles, range, trace,
                 [&](const ParticleStep& step, std::uint32_t, TracedLine& path) -> std::string {
@@ -111,8 +109,6 @@ StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tr
                "added to the irradiance of the first patch (W1)."
              : "Where it ends, the emittance there over 1 - reflectance, and over the number of walks of the "
                "first patch, is added to the irradiance of the first patch (W1).")};
-    trace.note = "Walks leave the patches whose light is wanted and are reflected from patch to patch until "
-                 "they end. Where they meet a source, its light is added to the patch where they started.";
     trace.kind = "walk";
     trace_paths(scene, options, walks, range, trace,
                 [&](const ParticleStep& step, std::uint32_t first, TracedLine& path) -> std::string {

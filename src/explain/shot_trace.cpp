@@ -79,8 +79,6 @@ StageTrace shot_stage(const std::vector<ShotPass>& passes, std::size_t pass, std
                      "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
                      "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
                      "until a later pass or the global lines send it on (S1)."};
-    trace.note = "Rays carry the light of the sources to the patches that they see, all with the same power. "
-                 "What a patch reflects of it is unshot until it is sent on.";
     trace.kind = "ray";
     trace.count = passes[pass].lines;
     return trace;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "geometry/vec3.h"
+#include "scene/rgb.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -19,6 +22,8 @@ public:
     JsonObject& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
     JsonObject& null(std::string_view key) { return add(key, "null"); }
     JsonObject& numbers(std::string_view key, const std::vector<double>& values);
+    JsonObject& numbers(std::string_view key, Vec3 v) { return numbers(key, std::vector{v.x, v.y, v.z}); }
+    JsonObject& numbers(std::string_view key, Rgb c) { return numbers(key, std::vector{c.r, c.g, c.b}); }
     JsonObject& texts(std::string_view key, const std::vector<std::string>& values);
     JsonObject& object(std::string_view key, const JsonObject& value) { return add(key, value.inline_form()); }
     JsonObject& objects(std::string_view key, const std::vector<JsonObject>& values);

@@ -3,6 +3,7 @@
 #include "base/elementary.h"
 #include "base/little_endian.h"
 #include "base/text_format.h"
+#include "explain/words.h"
 #include "export/html_text.h"
 #include "export/json.h"
 #include "export/mesh/patch_mesh.h"
@@ -21,10 +22,46 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace multipath {
 
 namespace {
+
+// Lists of numbers as the page holds them: the little-endian bytes of a JavaScript typed array, in base64.
+
+/// A Uint8Array.
+std::string packed_bytes(const std::vector<std::uint8_t>& values)
+{
+    return base64(std::string(values.begin(), values.end()));
+}
+
+/// A Uint32Array.
+std::string packed_counts(const std::vector<std::uint32_t>& values)
+{
+    std::string bytes;
+    for (const std::uint32_t value : values)
+        append_little_endian(bytes, value);
+    return base64(bytes);
+}
+
+/// A Float32Array.
+std::string packed_numbers(const std::vector<double>& values)
+{
+    std::string bytes;
+    for (const double value : values)
+        append_little_endian(bytes, static_cast<float>(value));
+    return base64(bytes);
+}
+
+/// Three numbers for each colour.
+std::string packed_colours(const std::vector<Rgb>& values)
+{
+    std::vector<double> channels;
+    for (const Rgb& value : values)
+        channels.insert(channels.end(), {value.r, value.g, value.b});
+    return packed_numbers(channels);
+}
 
 /// The bits of a number in [0, largest_half] as a float of 16 bits (IEEE 754), rounded. Times 2^-112 it has the same
 /// exponent as a float of 32 bits, with 13 more digits.
@@ -37,36 +74,6 @@ std::uint16_t half_float(double value)
 }
 
 } // namespace
-
-std::string packed_bytes(const std::vector<std::uint8_t>& values)
-{
-    return base64(std::string(values.begin(), values.end()));
-}
-
-std::string packed_counts(const std::vector<std::uint32_t>& values)
-{
-    std::string bytes;
-    for (const std::uint32_t value : values)
-        append_little_endian(bytes, value);
-    return base64(bytes);
-}
-
-std::string packed_numbers(const std::vector<double>& values)
-{
-    std::string bytes;
-    for (const double value : values)
-        append_little_endian(bytes, static_cast<float>(value));
-    return base64(bytes);
-}
-
-std::string packed_colours(const std::vector<Rgb>& values)
-{
-    std::string bytes;
-    for (const Rgb& value : values)
-        for (const double channel : {value.r, value.g, value.b})
-            append_little_endian(bytes, static_cast<float>(channel));
-    return base64(bytes);
-}
 
 PackedLight packed_light(const std::vector<Rgb>& values)
 {
@@ -86,13 +93,29 @@ PackedLight packed_light(const std::vector<Rgb>& values)
     return packed;
 }
 
-std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads)
 {
     const SmoothShading shading(scene, values_per_patch, threads);
-    std::vector<Rgb> result;
-    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
-        for (const Rgb value : shading.at_corners(patch))
-            result.push_back(value);
+    CornerValues result;
+    std::vector<Rgb> own;
+    std::unordered_map<std::uint64_t, std::size_t> numbers; // of the points of a side
+    for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch) {
+        if (patch == scene.first_patch(scene.surface_of(patch), scene.is_front(patch)))
+            numbers.clear();
+        const CellCorners corners = scene.corners(patch);
+        for (std::uint32_t k = 0; k < corners.count; ++k) {
+            const Rgb value = shading.at_corners(patch)[k];
+            const GridPoint point = corners.points[k];
+            const auto known = numbers.try_emplace(std::uint64_t{point.j} << 32 | point.i, result.values.size());
+            if (known.second) {
+                result.values.push_back(value);
+            } else if (result.values[known.first->second] != value) {
+                result.own_places.push_back(4 * patch + k);
+                own.push_back(value);
+            }
+        }
+    }
+    result.values.insert(result.values.end(), own.begin(), own.end());
     return result;
 }
 
@@ -159,17 +182,9 @@ JsonObject chapter_json(const StageTrace& chapter, Vec3 origin)
     std::vector<JsonObject> lines;
     for (const TracedLine& line : chapter.lines)
         lines.push_back(line_json(line, origin));
-    return JsonObject().text("title", chapter.kind + "s").text("note", chapter.note).objects("lines", lines);
-}
-
-std::vector<double> coordinates(Vec3 v)
-{
-    return {v.x, v.y, v.z};
-}
-
-std::vector<double> channels(Rgb c)
-{
-    return {c.r, c.g, c.b};
+    std::string note = join(chapter.context, " ");
+    std::replace(note.begin(), note.end(), tied_space, ' ');
+    return JsonObject().text("title", chapter.kind + "s").text("note", note).objects("lines", lines);
 }
 
 /// The mapping of surfaces to their textures (TextureFrame), six numbers each; NaN for a surface without a texture.
@@ -216,7 +231,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
         if (is_covered[patch] || scene.is_sky(scene.surface_of(patch))) // the page has its own background
             covered.push_back(patch);
     return JsonObject()
-        .numbers("origin", coordinates(origin))
+        .numbers("origin", origin)
         .text("triangles", packed_bytes(triangles))
         .text("geometry", packed_numbers(geometry))
         .text("grids", packed_counts(grids))
@@ -234,11 +249,11 @@ std::vector<JsonObject> materials_json(const Scene& scene)
     for (const Material& material : scene.materials()) {
         JsonObject json;
         json.text("name", material.name);
-        json.numbers("reflectance", channels(material.reflectance));
-        json.numbers("emittance", channels(material.emittance));
+        json.numbers("reflectance", material.reflectance);
+        json.numbers("emittance", material.emittance);
         if (material.texture != Material::no_texture) {
             json.count("texture", material.texture);
-            json.numbers("white", channels(material.texture_scale));
+            json.numbers("white", material.texture_scale);
         }
         result.push_back(json);
     }
@@ -259,9 +274,9 @@ std::vector<JsonObject> textures_json(const Scene& scene)
 JsonObject camera_json(const Camera& camera)
 {
     return JsonObject()
-        .numbers("eye", coordinates(camera.eye))
-        .numbers("target", coordinates(camera.target))
-        .numbers("up", coordinates(camera.up))
+        .numbers("eye", camera.eye)
+        .numbers("target", camera.target)
+        .numbers("up", camera.up)
         .number("field_of_view", camera.field_of_view);
 }
 
@@ -322,11 +337,12 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, int
 {
     JsonObject json;
     json.text("key", quantity.key).text("title", quantity.title).text("unit", quantity.unit);
-    if (quantity.colours == ViewerColours::light) {
-        const PackedLight corners =
-            packed_light(corner_values(scene, without_texture(scene, quantity.values), threads));
+    if (quantity.is_light) {
+        const CornerValues corners = corner_values(scene, without_texture(scene, quantity.values), threads);
+        const PackedLight packed = packed_light(corners.values);
         json.text("values", packed_colours(quantity.values));
-        json.text("corners", corners.halves).number("corners_unit", corners.unit);
+        json.text("corners", packed.halves).number("corners_unit", packed.unit);
+        json.text("own_places", packed_counts(corners.own_places));
         return json;
     }
     std::vector<double> means;

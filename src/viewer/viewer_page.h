@@ -16,19 +16,13 @@
 
 namespace multipath {
 
-/// Conversion of the values of a quantity to colours.
-enum class ViewerColours {
-    light, ///< the room as an eye would see it
-    scale  ///< false colours of the mean of the channels, with a legend
-};
-
 /// A quantity with one value per patch.
 struct ViewerQuantity
 {
-    std::string key;   ///< for scripts: "radiosity"
-    std::string title; ///< for people, UTF-8
-    std::string unit;  ///< for people, UTF-8
-    ViewerColours colours;
+    std::string key;         ///< for scripts: "radiosity"
+    std::string title;       ///< for people, UTF-8
+    std::string unit;        ///< for people, UTF-8
+    bool is_light;           ///< shown as an eye would see it, else in false colours of the mean of the channels
     std::vector<Rgb> values; ///< per patch, >= 0; NaN where a patch has no value
 };
 
@@ -52,27 +46,21 @@ constexpr const char* room_data_end = "</script>";
 /// A self-contained page (HTML) to walk through the solved room in a browser. The page loads no other file.
 std::string viewer_page(const Scene& scene, const ViewerContent& content);
 
-/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading): four per patch, in the
-/// order of Scene::corners(); the fourth of a triangle is 0.
-std::vector<Rgb> corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
+/// Smooth values at the corners of all patches, as pictures interpolate them (SmoothShading). Most patches of a side
+/// share the value of a grid point. Where they do not, as on both sides of a wall that stands there, a patch has its
+/// own.
+struct CornerValues
+{
+    std::vector<Rgb>
+        values; ///< of the points of each side, in the order in which its patches meet them; then the own ones
+    std::vector<std::uint32_t> own_places; ///< of the own values: 4 * patch + index of the corner in Scene::corners()
+};
+
+CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
 /// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws
 /// std::logic_error for an unknown name.
 std::string_view page_file(std::string_view name);
-
-// Lists of numbers as the viewer's page holds them: the little-endian bytes of a JavaScript typed array, in base64.
-
-/// A Uint8Array.
-std::string packed_bytes(const std::vector<std::uint8_t>& values);
-
-/// A Uint32Array.
-std::string packed_counts(const std::vector<std::uint32_t>& values);
-
-/// A Float32Array.
-std::string packed_numbers(const std::vector<double>& values);
-
-/// A Float32Array with three numbers for each colour.
-std::string packed_colours(const std::vector<Rgb>& values);
 
 constexpr double largest_half = 65504.0; ///< in 16 bits
 

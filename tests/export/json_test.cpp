@@ -37,7 +37,7 @@ TEST_CASE("a JSON document escapes text, keeps numbers exact and says null for w
     json.number("nothing", std::numeric_limits<double>::quiet_NaN());
     json.boolean("yes", true);
     json.null("none");
-    json.numbers("list", {1, 2.5});
+    json.numbers("list", std::vector<double>{1, 2.5});
     json.object("object", inner);
     json.objects("objects", {inner});
     CHECK(json.document() ==

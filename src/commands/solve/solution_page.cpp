@@ -23,7 +23,8 @@ void append(std::vector<StageTrace>& chapters, const StageTracer& tracer, const 
         try {
             chapters.push_back(tracer.trace(scene, options, {0, count}));
             StageTrace& trace = chapters.back();
-            trace.note += " The first " + grouped(count) + " of " + grouped(trace.count) + " " + trace.kind + "s.";
+            trace.context.push_back("These are the first " + grouped(count) + " of " + grouped(trace.count) + " " +
+                                    trace.kind + "s.");
             return;
         } catch (const InputError&) {
             continue; // the stage has fewer lines
@@ -39,14 +40,13 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
         if (shown.on_page && !(shown.needs_replicates && solution.standard_error.empty())) {
             std::string title(shown.title);
             title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-            result.push_back({std::string(shown.name), title, light_units(scene.file()).per_area_utf8,
-                              shown.is_room() ? ViewerColours::light : ViewerColours::scale,
+            result.push_back({std::string(shown.name), title, light_units(scene.file()).per_area_utf8, shown.is_room(),
                               shown.values(scene, solution, threads)});
         }
     std::vector<Rgb> areas;
     for (const double area : scene.weights())
         areas.push_back({area, area, area});
-    result.push_back({"area", "Patch size", "m²", ViewerColours::scale, areas});
+    result.push_back({"area", "Patch size", "m²", false, areas});
     return result;
 }
 
@@ -69,10 +69,10 @@ std::vector<StageTrace> viewer_chapters(const TracedRun& run)
                 append(chapters, tracer, run.scene, options);
     if (only_counts)
         for (StageTrace& chapter : chapters)
-            chapter.note += " The method " + std::string(method->name) +
-                            " only counts such lines and afterwards solves a linear system: these are the lines of "
-                            "--method " +
-                            std::string(method->traced_as) + ".";
+            chapter.context.push_back("The method " + std::string(method->name) +
+                                      " only counts such lines and afterwards solves a linear system: these are the "
+                                      "lines of --method " +
+                                      std::string(method->traced_as) + ".");
     return chapters;
 }
 

@@ -158,7 +158,7 @@ void add_range(JsonObject& json, const PatchMesh& mesh, const MaterialPart& part
 {
     Bounds box;
     for_each_vertex(part, [&](const MeshSide&, std::size_t vertex) { box.include(to_vec3(mesh.positions[vertex])); });
-    json.numbers("min", {box.low.x, box.low.y, box.low.z}).numbers("max", {box.high.x, box.high.y, box.high.z});
+    json.numbers("min", box.low).numbers("max", box.high);
 }
 
 /// The accessors of each part, for its attributes and then its triangles, and the meshes, which refer to them.
@@ -213,7 +213,6 @@ private:
 /// texture that it shows, if any.
 JsonObject unlit_material(const Material& material, std::optional<std::size_t> texture)
 {
-    const auto channels = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
     JsonObject surface = JsonObject().count("metallicFactor", 0).number("roughnessFactor", 1.0);
     if (texture)
         surface.object("baseColorTexture", JsonObject().count("index", *texture));
@@ -222,9 +221,8 @@ JsonObject unlit_material(const Material& material, std::optional<std::size_t> t
         .object("pbrMetallicRoughness", surface)
         .boolean("doubleSided", false)
         .object("extensions", JsonObject().object("KHR_materials_unlit", {}))
-        .object("extras", JsonObject()
-                              .numbers("reflectance", channels(material.reflectance))
-                              .numbers("emittance", channels(material.emittance)));
+        .object("extras",
+                JsonObject().numbers("reflectance", material.reflectance).numbers("emittance", material.emittance));
 }
 
 /// Adds images, samplers and textures; those of one texture have the same index. Image k has view first_view + k.

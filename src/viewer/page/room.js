@@ -24,6 +24,9 @@ const counts_of = text => new Uint32Array(bytes_of(text).buffer);
 const numbers_of = text => new Float32Array(bytes_of(text).buffer);
 const three_at = (list, n) => Array.from(list.subarray(3 * n, 3 * n + 3));
 
+// The corners (u, v) of a parallelogram and of a triangle, counter-clockwise.
+const unit_corners = [[[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 0], [1, 0], [0, 1]]];
+
 // The room: its surfaces, and the patches that they are cut into.
 class Room {
   constructor(data) {
@@ -51,6 +54,25 @@ class Room {
     for (let s = 0; s < this.surface_count; ++s)
       this.surface.fill(s, this.first_patch(s), this.first_patch(s + 1));
     this.find_size();
+    this.number_points();
+  }
+
+  // For each corner of each patch the number of its point on the grid of its side, in the order in which patches meet them.
+  number_points() {
+    this.point_numbers = new Uint32Array(4 * this.patch_count);
+    let known, count = 0;
+    for (let patch = 0; patch < this.patch_count; ++patch) {
+      const cell = patch % this.cell_count, s = this.surface[cell];
+      if (cell === this.first_patch(s))
+        known = new Map();
+      const [i, j, size] = [this.cells[3 * cell], this.cells[3 * cell + 1], this.cells[3 * cell + 2]];
+      for (const [k, [x, y]] of unit_corners[this.triangles[s]].entries()) {
+        const point = i + x * size + (j + y * size) * 2 ** 26;
+        if (!known.has(point))
+          known.set(point, count++);
+        this.point_numbers[4 * patch + k] = known.get(point);
+      }
+    }
   }
 
   find_size() {
@@ -73,8 +95,7 @@ class Room {
 
   shows_texture(s) { return this.frames.length > 0 && Number.isFinite(this.frames[6 * s]); }
 
-  // The corners (u, v) of a surface, counter-clockwise.
-  corners(s) { return this.triangles[s] ? [[0, 0], [1, 0], [0, 1]] : [[0, 0], [1, 0], [1, 1], [0, 1]]; }
+  corners(s) { return unit_corners[this.triangles[s]]; }
   outline(s) { return this.corners(s).map(([u, v]) => this.point(s, u, v)); }
 
   // The patch at a position of a surface; null on the back of a one-sided surface.

@@ -29,7 +29,7 @@ class Viewer {
   // Shows other results in the same room, as it is seen now.
   show_light(data) {
     this.drawing.forget(this.other ? [this.other.values, this.other.corners] : []);
-    this.quantities = data.quantities.map(quantity_of);
+    this.quantities = data.quantities.map(quantity => quantity_of(quantity, this.room));
     this.colour_map = bytes_of(data.colour_map);
     this.trace = new Trace(data.trace, this.room);
     this.drawing.set_colour_map(this.colour_map);

@@ -77,7 +77,7 @@ TEST_CASE("each method has its chapters, the lines of reuse being those of the e
     const std::vector<StageTrace> reuse = trace(scene, Method::reuse, 4096);
     REQUIRE(reuse.size() == 2);
     CHECK(reuse[1].title == "Lines of the global pass");
-    CHECK(reuse[1].note.find("--method extended") != std::string::npos);
+    CHECK(reuse[1].context.back().find("--method extended") != std::string::npos);
     CHECK(reuse[1].lines[7].points[1] == trace(scene, Method::extended, 4096)[1].lines[7].points[1]);
 }
 
