@@ -341,8 +341,11 @@ TEST_CASE("a page says the same of every surface, material and patch")
     CHECK(told["transfers"][1]["to"].text == "null");
     CHECK(numbers(told["transfers"][0]["forecast"]) == std::vector<double>{1, 1, 2});
     CHECK(numbers(told["transfers"][0]["held"]) == std::vector<double>{3, 4, 4});
-    CHECK(numbers(told["transfers"][0]["counted"]) == std::vector<double>{6, 5, 6});
-    CHECK(numbers(told["transfers"][1]["forecast"]) == std::vector<double>{2});
+    const Rgb gain = (1.0 / scene.area(7)) * (scene.reflectance(7) * Rgb{6, 5, 6});
+    const std::vector<double> told_gain = numbers(told["transfers"][0]["gain"]);
+    CHECK(nearly({told_gain.at(0), told_gain.at(1), told_gain.at(2)}, gain, 1e-5));
+    CHECK(numbers(told["transfers"][1]["gain"]) == std::vector<double>{0, 0, 0});
+    CHECK(numbers(told["transfers"][1]["forecast"]) == std::vector<double>{2, 2, 2});
 }
 
 namespace {

@@ -136,29 +136,30 @@ void append_point(std::vector<double>& numbers, Vec3 point)
         numbers.push_back(six_digits(x));
 }
 
-/// The channels of a power with six digits, or one number if they agree.
-std::vector<double> power_channels(Rgb power)
+Rgb six_digits(Rgb c)
 {
-    const Rgb p = {six_digits(power.r), six_digits(power.g), six_digits(power.b)};
-    return p.r == p.g && p.g == p.b ? std::vector<double>{p.r} : std::vector<double>{p.r, p.g, p.b};
+    return by_channel([](double x) { return six_digits(x); }, c);
 }
 
-JsonObject transfer_json(const Transfer& transfer)
+JsonObject transfer_json(const Scene& scene, const Transfer& transfer)
 {
+    const bool received = Segment::is_patch(transfer.to);
     JsonObject json;
     json.count("from", transfer.from);
-    if (Segment::is_patch(transfer.to))
+    if (received)
         json.count("to", transfer.to);
     else
         json.null("to");
-    json.numbers("forecast", power_channels(transfer.forecast));
-    json.numbers("held", power_channels(transfer.held));
-    json.numbers("counted", power_channels(transfer.counted));
-    return json;
+    json.numbers("forecast", six_digits(transfer.forecast));
+    json.numbers("held", six_digits(transfer.held));
+    const Rgb gain =
+        received ? (1.0 / scene.area(transfer.to)) * (scene.reflectance(transfer.to) * transfer.counted) : Rgb{};
+    return json.numbers("gain", six_digits(gain));
 }
 
-JsonObject line_json(const TracedLine& line, Vec3 origin)
+JsonObject line_json(const Scene& scene, const TracedLine& line)
 {
+    const Vec3 origin = mesh_origin(scene);
     std::vector<double> points;
     for (const Vec3 point : line.points)
         append_point(points, point - origin);
@@ -167,7 +168,7 @@ JsonObject line_json(const TracedLine& line, Vec3 origin)
         append_point(crossings, crossing.point - origin);
     std::vector<JsonObject> transfers;
     for (const Transfer& transfer : line.transfers)
-        transfers.push_back(transfer_json(transfer));
+        transfers.push_back(transfer_json(scene, transfer));
     return JsonObject()
         .numbers("points", points)
         .numbers("joins", {line.joins.begin(), line.joins.end()})
@@ -177,11 +178,11 @@ JsonObject line_json(const TracedLine& line, Vec3 origin)
 
 /// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
 /// segments. Numbers have six digits: they are shown, not computed with.
-JsonObject chapter_json(const StageTrace& chapter, Vec3 origin)
+JsonObject chapter_json(const Scene& scene, const StageTrace& chapter)
 {
     std::vector<JsonObject> lines;
     for (const TracedLine& line : chapter.lines)
-        lines.push_back(line_json(line, origin));
+        lines.push_back(line_json(scene, line));
     std::string note = join(chapter.context, " ");
     std::replace(note.begin(), note.end(), tied_space, ' ');
     return JsonObject().text("title", chapter.kind + "s").text("note", note).objects("lines", lines);
@@ -361,7 +362,7 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         quantities.push_back(quantity_json(scene, quantity, content.render.threads));
     std::vector<JsonObject> chapters;
     for (const StageTrace& chapter : content.chapters)
-        chapters.push_back(chapter_json(chapter, mesh_origin(scene)));
+        chapters.push_back(chapter_json(scene, chapter));
     return JsonObject()
         .text("scene", scene.path())
         .texts("record", content.record)

@@ -163,7 +163,7 @@ async function lines_traced() {
     by_id('next-line').click();
     rows += page.querySelectorAll('#transfer-rows tr').length;
   }
-  find('line', multipath.state.line);
+  find('line', multipath.trace.line);
   find('rows', rows);
   page.querySelector('#chapters input').click();
   find('chapter_first', power());

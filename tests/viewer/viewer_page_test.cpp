@@ -245,7 +245,7 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
     line.points = {{0, 0, 0}, {1, 0, 0}, {1.0 / 3.0, 2, 3e-9}};
     line.joins = {false, true};
     line.crossings = {{{}, {1, 0, 0}, {}}};
-    line.transfers = {{1, 7, 9, {0.5, 0.5, 0.5}, {1, 2, 3}, {1.5, 2.5, 3.5}, {}},
+    line.transfers = {{1, 7, 9, {0.5, 0.5, 0.5}, {1, 2, 3}, {1.5, 2.5, 4}, {}},
                       {1, 9, Segment::outside, {}, {4, 4, 4}, {4, 4, 4}, {}}};
     const Scene scene = small_scene();
     ViewerContent content = small_content(scene);
@@ -256,9 +256,9 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
     CHECK(count(viewer_page(scene, content),
                 "\"trace\": [\n    {\"title\": \"lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {"
                 "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"joins\": [0, 1], \"crossings\": [1, 0, 0], "
-                "\"transfers\": [\n    {\"from\": 7, \"to\": 9, \"forecast\": [0.5], \"held\": [1, 2, 3], "
-                "\"counted\": [1.5, 2.5, 3.5]}, \n    {\"from\": 9, \"to\": null, \"forecast\": [0], "
-                "\"held\": [4], \"counted\": [4]}]}]}]\n}\n") == 1);
+                "\"transfers\": [\n    {\"from\": 7, \"to\": 9, \"forecast\": [0.5, 0.5, 0.5], \"held\": [1, 2, 3], "
+                "\"gain\": [18, 20, 16]}, \n    {\"from\": 9, \"to\": null, \"forecast\": [0, 0, 0], "
+                "\"held\": [4, 4, 4], \"gain\": [0, 0, 0]}]}]}]\n}\n") == 1);
 }
 
 } // namespace viewer_page_test

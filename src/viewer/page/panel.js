@@ -54,12 +54,12 @@ class Panel {
     for (const control of this.controls)
       control.addEventListener('input', () => viewer.change({ [control.name]: this.value_of(control) }));
     on('home', 'click', () => viewer.go_home());
-    on('copy-view', 'click', () => this.copy_view());
+    on('copy-view', 'click', event => copy_text(event.target, viewer.view_options()));
     on('save-view', 'click', () => save_as('view.json',
       'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));
     on('save-picture', 'click', () => save_as('view.png', viewer.png()));
     on('fold', 'click', () => this.fold(!this.folded));
-    on('help-button', 'click', () => this.help());
+    on('help-button', 'click', () => element('help').showModal());
   }
 
   value_of(control) {
@@ -74,10 +74,6 @@ class Panel {
     element('fold').setAttribute('aria-expanded', String(!folded));
     this.viewer.request_draw();
   }
-
-  help() { element('help').showModal(); }
-
-  copy_view() { copy_text(element('copy-view'), this.viewer.view_options()); }
 
   // Shows the state; called after every change.
   refresh(state) {

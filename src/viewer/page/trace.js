@@ -6,8 +6,6 @@ const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
 const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
 const seconds_per_line = 0.7;
 
-// The three channels of a power, which is written as one number if they agree.
-const channels = power => power.length === 3 ? power : [power[0], power[0], power[0]];
 const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
@@ -15,7 +13,7 @@ const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 class Trace {
   constructor(chapters, room) {
     this.chapters = chapters;
-    this.room = room;
+    this.patch_count = room.patch_count;
     this.active = false;
     this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
     this.line = 0; // number of lines shown; 0: none yet
@@ -26,32 +24,21 @@ class Trace {
   get current() { return this.line > 0 ? this.lines[this.line - 1] : null; }
   get scale() { return this.scales[this.chapter] || 1; }
 
-  choose(chapter) {
-    this.chapter = chapter;
-    this.line = 0;
-  }
   go_to(line) { this.line = clamped(line, 0, this.lines.length); }
-
-  // [W/m^2] Increase of the receiving patch's radiosity by a transfer.
-  gain(transfer) {
-    const rho = this.room.reflectance(transfer.to), area = this.room.area(transfer.to);
-    return channels(transfer.counted).map((power, k) => rho[k] * power / area);
-  }
 
   // The factor that makes the median gain well visible.
   glow_scale(chapter) {
-    const arrivals = chapter.lines.flatMap(line => line.transfers).filter(({ to }) => to !== null);
-    const gains = arrivals.map(transfer => mean(this.gain(transfer))).filter(gain => gain > 0);
+    const gains = chapter.lines.flatMap(line => line.transfers.map(({ gain }) => mean(gain))).filter(gain => gain > 0);
     return gains.length > 0 ? 0.5 / median(gains) : 1;
   }
 
   // [W/m^2] Radiosity that the lines shown so far have brought to every patch: three numbers each.
   arrived() {
-    const radiosity = new Float32Array(3 * this.room.patch_count);
+    const radiosity = new Float32Array(3 * this.patch_count);
     for (const line of this.lines.slice(0, this.line))
-      for (const transfer of line.transfers)
-        if (transfer.to !== null)
-          this.gain(transfer).forEach((x, k) => { radiosity[3 * transfer.to + k] += x; });
+      for (const { to, gain } of line.transfers)
+        if (to !== null)
+          gain.forEach((x, k) => { radiosity[3 * to + k] += x; });
     return radiosity;
   }
 
@@ -99,7 +86,10 @@ class TracePanel {
     const checked = chapter === this.viewer.trace.chapter;
     Object.assign(input, { type: 'radio', name: 'chapter', value: chapter, checked });
     append_element(label, 'span', title);
-    input.addEventListener('change', () => this.choose(chapter));
+    input.addEventListener('change', () => {
+      Object.assign(this.viewer.trace, { chapter, line: 1 });
+      this.show();
+    });
   }
 
   listen() {
@@ -118,12 +108,6 @@ class TracePanel {
       this.play(false);
     if (open && trace.line === 0)
       trace.go_to(1);
-    this.show();
-  }
-
-  choose(chapter) {
-    this.viewer.trace.choose(chapter);
-    this.viewer.trace.go_to(1);
     this.show();
   }
 
@@ -173,16 +157,13 @@ class TracePanel {
   show_transfers(line) {
     const transfers = line ? line.transfers : [];
     element('transfers').hidden = transfers.length === 0;
-    const meets = line && line.crossings.length > 0;
-    element('transfer-none').textContent = !line || transfers.length > 0 ? ''
-      : meets ? 'This line joins no patches: it carries no power.' : 'This line meets nothing.';
+    element('transfer-none').textContent = line && transfers.length === 0 ? 'This line carries no power.' : '';
     element('power-unit').textContent = this.viewer.room.power_unit;
     element('transfer-rows').replaceChildren();
-    for (const transfer of transfers) {
+    for (const { from, to, forecast, held } of transfers) {
       const row = append_element(element('transfer-rows'), 'tr', '');
-      this.add_patch(row, transfer.from);
-      this.add_patch(row, transfer.to);
-      const forecast = channels(transfer.forecast), held = channels(transfer.held);
+      this.add_patch(row, from);
+      this.add_patch(row, to);
       for (const power of [forecast, held, plus(forecast, held)])
         append_element(row, 'td', colour_text(power, 3));
     }

@@ -143,29 +143,15 @@ class Viewer {
     return hit ? hit.patch : null;
   }
 
+  // For scripts and tests.
+  values(patch) { return Object.fromEntries(this.quantities.map(quantity => [quantity.key, value_at(quantity, patch)])); }
+  arrived() { return this.trace.arrived(); }
+  picture() { return this.drawing.pixels(this.camera, this.look()); }
+
   pick_middle() {
     const box = this.canvas.getBoundingClientRect();
     this.change({ selected: this.patch_at(box.left + box.width / 2, box.top + box.height / 2) });
   }
-}
-
-// The interface for scripts and tests; see docs/builders/page.md.
-function script_interface(viewer) {
-  return {
-    ready: null, // [ms] from the opening of the page to its first complete picture
-    decoded: null, // a promise that is fulfilled when all textures are decoded
-    get room() { return viewer.room; },
-    get state() { return { ...viewer.state, line: viewer.trace.line, chapter: viewer.trace.chapter }; },
-    change: part => viewer.change(part),
-    patch_at: (x, y) => viewer.patch_at(x, y),
-    hit_at: (x, y) => viewer.hit_at(x, y),
-    values: patch => Object.fromEntries(viewer.quantities.map(quantity => [quantity.key, value_at(quantity, patch)])),
-    arrived: () => viewer.trace.arrived(),
-    picture: () => viewer.drawing.pixels(viewer.camera, viewer.look()),
-    view: () => viewer.view(),
-    view_options: () => viewer.view_options(),
-    get camera() { return viewer.camera; },
-  };
 }
 
 // Shows the room whose data are given; returns the viewer.
@@ -173,10 +159,10 @@ function start_viewer(data) {
   try {
     const viewer = new Viewer(element('view'));
     viewer.show(data);
-    window.multipath = script_interface(viewer);
-    window.multipath.decoded = viewer.load_images(data.textures);
-    window.multipath.decoded.finally(() =>
-      requestAnimationFrame(() => requestAnimationFrame(() => { window.multipath.ready = performance.now(); })));
+    window.multipath = viewer; // for scripts and tests; see docs/builders/page.md
+    viewer.decoded = viewer.load_images(data.textures);
+    viewer.decoded.finally(() =>
+      requestAnimationFrame(() => requestAnimationFrame(() => { viewer.ready = performance.now(); })));
     return viewer;
   } catch (error) {
     element('failure').textContent = error.message;
