@@ -103,16 +103,18 @@ $(BUILD)/doctest.path: tests/find_doctest.sh
 	@CXX="$(CXX)" DOCTEST="$(DOCTEST)" sh tests/find_doctest.sh $(BUILD) > $@.new
 	@mv $@.new $@
 
-# The files of the viewer's page as string literals: {"name", "line\n" "line\n" ...}, for each.
-page_files = $(wildcard src/viewer/page/*)
+# The viewer's page with its style sheet and scripts in it, and its lines as string literals.
+page_with_parts = $(BUILD)/generated/viewer/page.html
 
 $(filter $(BUILD)/src/viewer%,$(objects)): $(BUILD)/generated/viewer/page_files.inc
 
-$(BUILD)/generated/viewer/page_files.inc: $(page_files)
+$(page_with_parts): src/viewer/page.awk $(wildcard src/viewer/page/*)
 	@mkdir -p $(@D)
-	@for file in $(page_files); do \
-	    echo "{\"$${file##*/}\","; sed 's/[\"]/\\&/g; s/.*/"&\\n"/' "$$file"; echo "},"; \
-	done > $@.new
+	@cd src/viewer/page && awk -f ../page.awk page.html > $(abspath $@.new)
+	@mv $@.new $@
+
+$(BUILD)/generated/viewer/page_files.inc: $(page_with_parts)
+	@sed 's/[\"]/\\&/g; s/.*/"&\\n",/' $< > $@.new
 	@mv $@.new $@
 
 # The checksum of all sources, by which a program knows that kept results are those of another one.

@@ -1,7 +1,7 @@
 # Makes the page of the laboratory: one file that holds the program as WebAssembly, the bundled rooms, the lessons, and the
 # viewer's page around them. Writes it to standard output.
 # usage: page.sh FOLDER       at the top of the sources; FOLDER holds multipath.js and multipath.wasm
-lab=src/lab viewer=src/viewer/page made=$1
+lab=src/lab made=$1
 
 # The content of a text file as a JSON string.
 json_text() {
@@ -30,14 +30,13 @@ packed() { gzip -9 -n | base64 | tr -d '\n' && echo; }
 rooms >"$made/rooms.json" && lessons >"$made/lessons.json" && cat "$made/multipath.js" $lab/worker.js | packed >"$made/worker.txt" &&
     packed <"$made/multipath.wasm" >"$made/program.txt" || exit 1
 
-# Puts into the viewer's page what it names and what the laboratory adds.
-awk -v viewer="$viewer" -v lab="$lab" -v made="$made" '
+# Puts into the viewer's page what the laboratory adds.
+awk -v lab="$lab" -v made="$made" '
 function put(name,   line) {
     while ((getline line < name) > 0)
         print line
     close(name)
 }
-function script(name) { print "<script>"; put(name); print "</script>" }
 function data(id, type, name) { printf "<script type=\"%s\" id=\"%s\">", type, id; put(made "/" name); print "</script>" }
 /Content-Security-Policy/ {
     print
@@ -46,24 +45,22 @@ function data(id, type, name) { printf "<script type=\"%s\" id=\"%s\">", type, i
     print "  style-src \047unsafe-inline\047; img-src data: blob:\">"
     next
 }
-/<!-- head -->/ { print "<title>multipath laboratory</title>"; next }
-/rel="stylesheet"/ { print "<style>"; put(viewer "/style.css"); put(lab "/lab.css"); print "</style>"; next }
+/^<!-- head -->/ { print "<title>multipath laboratory</title>"; next }
+/^<\/style>/ { put(lab "/lab.css") }
 /^<main/ { put(lab "/panel.html") }
-/<!-- room -->/ {
+/^<!-- room -->/ {
     data("rooms", "application/json", "rooms.json")
     data("lessons", "application/json", "lessons.json")
     data("worker", "text/plain", "worker.txt")
     data("program", "text/plain", "program.txt")
     next
 }
-/^<script src=/ {
-    split($0, part, "\"")
-    script(viewer "/" part[2])
-    if (part[2] == "viewer.js") {
-        n = split("settings solver curve lesson who lab_controls lab", names, " ")
-        for (k = 1; k <= n; ++k)
-            script(lab "/" names[k] ".js")
+/^<\/body>/ {
+    n = split("settings solver curve lesson who lab_controls lab", names, " ")
+    for (k = 1; k <= n; ++k) {
+        print "<script>"
+        put(lab "/" names[k] ".js")
+        print "</script>"
     }
-    next
 }
-{ print }' $viewer/page.html
+{ print }' "$made/generated/viewer/page.html"

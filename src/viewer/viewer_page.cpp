@@ -119,9 +119,8 @@ CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_pe
     return result;
 }
 
-// The sources of the page are an ordinary web page: page.html refers to its style sheet and its scripts, each on a line
-// of its own. Here the texts of these files replace the lines. The data of the room, a JSON document, replace a comment
-// of the page, so that the result is one self-contained file. docs/builders/page.md describes the document.
+// Comments of page.html are replaced by the head and by the data of the room, a JSON document, so that the result is
+// one self-contained file. docs/builders/page.md describes the document.
 
 namespace {
 
@@ -385,27 +384,10 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .document();
 }
 
-struct PageFile
-{
-    std::string_view name;
-    std::string_view text;
-};
-
-constexpr PageFile page_files[] = {
+/// The lines of src/viewer/page/page.html, with the style sheet and the scripts that it names.
+constexpr std::string_view page_lines[] = {
 #include "viewer/page_files.inc"
 };
-
-bool starts_with(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
-
-/// The value of an attribute: the text between the first two quotation marks after its name.
-std::string_view value_of(std::string_view line, std::string_view attribute)
-{
-    const std::size_t begin = line.find('"', line.find(attribute)) + 1;
-    return line.substr(begin, line.find('"', begin) - begin);
-}
 
 /// The title, and one line for each entry of the record, as in a report.
 std::string head_of(const Scene& scene, const ViewerContent& content)
@@ -433,30 +415,14 @@ std::string room_element(const Scene& scene, const ViewerContent& content)
 std::string viewer_page(const Scene& scene, const ViewerContent& content)
 {
     std::string page;
-    std::string_view rest = page_file("page.html");
-    while (!rest.empty()) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (starts_with(line, "<link rel=\"stylesheet\""))
-            page += "<style>\n" + std::string(page_file(value_of(line, "href="))) + "</style>\n";
-        else if (starts_with(line, "<script src="))
-            page += "<script>\n" + std::string(page_file(value_of(line, "src="))) + "</script>\n";
-        else if (line == "<!-- head -->")
+    for (const std::string_view line : page_lines)
+        if (line == "<!-- head -->\n")
             page += head_of(scene, content);
-        else if (line == "<!-- room -->")
+        else if (line == "<!-- room -->\n")
             page += room_element(scene, content);
         else
-            page += std::string(line) + "\n";
-    }
+            page += line;
     return page;
-}
-
-std::string_view page_file(std::string_view name)
-{
-    for (const PageFile& file : page_files)
-        if (file.name == name)
-            return file.text;
-    throw std::logic_error("the program holds no page file " + std::string(name));
 }
 
 } // namespace multipath

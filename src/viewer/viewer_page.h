@@ -58,10 +58,6 @@ struct CornerValues
 
 CornerValues corner_values(const Scene& scene, const std::vector<Rgb>& values_per_patch, int threads);
 
-/// The text of a file of the folder src/viewer/page. The Makefile embeds these files in the program. Throws
-/// std::logic_error for an unknown name.
-std::string_view page_file(std::string_view name);
-
 constexpr double largest_half = 65504.0; ///< in 16 bits
 
 /// Colours in a common `unit`, with 11 significant binary digits.
