@@ -44,7 +44,6 @@ class LabControls {
     on('open', 'click', () => element('files').click());
     on('files', 'change', event => lab.open(event.target.files));
     on('lesson-choice', 'change', event => lab.choose_lesson(event.target.value));
-    on('lab-fold', 'click', () => this.fold());
     on('copy-command', 'click', event => copy_text(event.target, lab.command()));
     on('copy-link', 'click', event => copy_text(event.target, location.href));
     this.who = append_element(element('patch'), 'button', 'Who lights it?');
@@ -61,13 +60,6 @@ class LabControls {
       lab.open(event.dataTransfer.files);
     });
     window.addEventListener('hashchange', () => lab.follow(location.hash.slice(1)));
-  }
-
-  fold() {
-    const folded = document.body.classList.toggle('lab-folded');
-    element('lab-body').hidden = folded;
-    element('lab-fold').textContent = folded ? 'Laboratory' : 'Hide';
-    element('lab-fold').setAttribute('aria-expanded', String(!folded));
   }
 
   refresh(state) {

@@ -27,12 +27,23 @@ async function copy_text(button, text) {
   }
 }
 
+// Hides what an aside holds but for its button, or shows it again.
+function fold(aside, folded) {
+  const button = aside.querySelector('header button');
+  aside.classList.toggle('folded', folded);
+  aside.querySelector('header + div').hidden = folded;
+  button.textContent = folded ? aside.getAttribute('aria-label') : 'Hide';
+  button.setAttribute('aria-expanded', String(!folded));
+}
+
 class Panel {
   constructor(viewer) {
     this.viewer = viewer;
     this.controls = document.querySelectorAll('[data-state]'); // each shows the part of the state that is its name
     this.listen();
-    this.fold(window.matchMedia('(max-width: 640px)').matches);
+    for (const aside of document.querySelectorAll('aside'))
+      aside.querySelector('header button').addEventListener('click', () => fold(aside, !aside.classList.contains('folded')));
+    fold(element('panel'), window.matchMedia('(max-width: 640px)').matches);
   }
 
   // Names the room and what can be shown of it.
@@ -58,21 +69,11 @@ class Panel {
     on('save-view', 'click', () => save_as('view.json',
       'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));
     on('save-picture', 'click', () => save_as('view.png', viewer.png()));
-    on('fold', 'click', () => this.fold(!this.folded));
     on('help-button', 'click', () => element('help').showModal());
   }
 
   value_of(control) {
     return control.type === 'checkbox' ? control.checked : control.dataset.state === 'number' ? Number(control.value) : control.value;
-  }
-
-  fold(folded) {
-    this.folded = folded;
-    document.body.classList.toggle('folded', folded);
-    element('controls').hidden = folded;
-    element('fold').textContent = folded ? 'Controls' : 'Hide';
-    element('fold').setAttribute('aria-expanded', String(!folded));
-    this.viewer.request_draw();
   }
 
   // Shows the state; called after every change.
