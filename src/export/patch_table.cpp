@@ -3,7 +3,6 @@
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -86,9 +85,10 @@ ThreeColumns columns_named(const CsvTable& table, const std::array<const char*, 
 std::optional<ThreeColumns> error_columns(const CsvTable& table)
 {
     const std::array<const char*, 3> names = {"error_r", "error_g", "error_b"};
-    const bool any =
-        std::any_of(names.begin(), names.end(), [&](const char* name) { return table.find_column(name).has_value(); });
-    return any ? std::optional(columns_named(table, names)) : std::nullopt;
+    for (const char* name : names)
+        if (table.find_column(name))
+            return columns_named(table, names);
+    return std::nullopt;
 }
 
 [[noreturn]] void refuse_field(const CsvTable& table, const CsvRow& row, std::size_t column,

@@ -60,23 +60,19 @@ class Curve {
     return [48 + 340 * share(lines, 0), 226 - 212 * share(error, 1)];
   }
 
-  add(name, attributes, text = '') {
+  add(name, attributes, text = '', parent = this.svg) {
     const child = document.createElementNS('http://www.w3.org/2000/svg', name);
     for (const [key, value] of Object.entries(attributes))
       child.setAttribute(key, value);
     child.textContent = text;
-    this.svg.append(child);
+    parent.append(child);
     return child;
   }
 
   axes() {
     const label = (x, y, power, anchor) => {
       const text = this.add('text', { x, y, 'text-anchor': anchor }, '10');
-      const raised = document.createElementNS('http://www.w3.org/2000/svg', 'tspan');
-      raised.setAttribute('dy', '-5');
-      raised.setAttribute('font-size', '9');
-      raised.textContent = String(power).replace('-', '−');
-      text.append(raised);
+      this.add('tspan', { dy: -5, 'font-size': 9 }, String(power).replace('-', '−'), text);
     };
     for (let power = this.low[0]; power <= this.high[0]; ++power) {
       const [x] = this.place(10 ** power, 1);

@@ -62,11 +62,11 @@ private:
         const Vec3 normal = scene_.surfaces()[seed].normal();
         const auto take = [&](std::uint32_t s) {
             chart_[s] = number;
-            chart.surfaces.push_back(s);
+            chart.sides.push_back(s);
         };
         take(seed);
-        for (std::size_t next = 0; next < chart.surfaces.size(); ++next) {
-            const std::uint32_t face = chart.surfaces[next];
+        for (std::size_t next = 0; next < chart.sides.size(); ++next) {
+            const std::uint32_t face = chart.sides[next];
             const auto of_lower_face = [](const FaceEdge& edge, std::uint32_t f) { return edge.face < f; };
             for (auto edge = std::lower_bound(edges_.begin(), edges_.end(), face, of_lower_face);
                  edge != edges_.end() && edge->face == face; ++edge)
@@ -112,7 +112,7 @@ private:
     /// which the rectangle is longer.
     void lay_axes(Chart& chart, Vec3 normal) const
     {
-        const Surface& largest = scene_.surfaces()[chart.surfaces.front()];
+        const Surface& largest = scene_.surfaces()[chart.sides.front()];
         Vec3 longest = largest.edge_u;
         if (length(largest.edge_v) > length(longest))
             longest = largest.edge_v;
@@ -122,7 +122,7 @@ private:
         chart.along_y = normalized(cross(normal, chart.along_x));
 
         Bounds box; // in chart coordinates
-        for (const std::uint32_t s : chart.surfaces)
+        for (const std::uint32_t s : chart.sides)
             for (const Vec3 corner : corners_of(scene_.surfaces()[s])) {
                 const Vec3 p = corner - largest.origin;
                 box.include(Vec3{dot(p, chart.along_x), dot(p, chart.along_y), 0.0});
@@ -150,7 +150,13 @@ private:
 
 std::vector<Chart> charts_of(const Scene& scene)
 {
-    return ChartFinder(scene).charts();
+    std::vector<Chart> charts = ChartFinder(scene).charts();
+    for (std::size_t n = 0, fronts = charts.size(); scene.two_sided() && n < fronts; ++n) {
+        charts.push_back(Chart(charts[n]));
+        for (std::uint32_t& side : charts.back().sides)
+            side += scene.own_surfaces();
+    }
+    return charts;
 }
 
 } // namespace multipath

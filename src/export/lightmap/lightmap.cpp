@@ -17,8 +17,8 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     if (size == 0)
         throw std::invalid_argument("a lightmap without texels");
     const std::vector<Chart> charts = charts_of(scene);
-    std::optional<AtlasPacking> packing = packed(charts, scene.two_sided(), size);
-    for (; !packing && size <= largest_size / 2; packing = packed(charts, scene.two_sided(), size))
+    std::optional<AtlasPacking> packing = packed(charts, size);
+    for (; !packing && size <= largest_size / 2; packing = packed(charts, size))
         size *= 2;
     if (!packing)
         throw InputError(scene.path() + ": its surfaces do not fit into a lightmap of " + std::to_string(size) + " x " +
@@ -28,15 +28,13 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     map.width = size;
     map.height = size;
     map.texels.resize(std::size_t{size} * size);
-    map.chart_count = static_cast<std::uint32_t>(packing->positions.size());
+    map.chart_count = static_cast<std::uint32_t>(charts.size());
     map.texels_per_unit = packing->scale;
     map.frames.resize((scene.two_sided() ? 2 : 1) * std::size_t{scene.own_surfaces()});
-    for (std::size_t n = 0; n < packing->positions.size(); ++n) {
-        const Chart& chart = charts[n % charts.size()];
-        const std::size_t first_side = n < charts.size() ? 0 : scene.own_surfaces();
-        for (const std::uint32_t s : chart.surfaces)
-            map.frames[first_side + s] = atlas_frame(scene.surfaces()[s], chart, packing->positions[n], *packing);
-    }
+    for (std::size_t n = 0; n < charts.size(); ++n)
+        for (const std::uint32_t side : charts[n].sides)
+            map.frames[side] =
+                atlas_frame(scene.surfaces()[side % scene.own_surfaces()], charts[n], packing->positions[n], *packing);
     paint(map, scene, charts, light, threads);
     return map;
 }

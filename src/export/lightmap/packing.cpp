@@ -105,16 +105,14 @@ std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const st
                                       std::uint32_t size, double scale)
 {
     double area = 0.0;
-    for (const std::uint32_t n : tallest_first) {
-        const Chart& chart = charts[n % charts.size()];
+    for (const Chart& chart : charts)
         area += static_cast<double>(chart_extent(chart.width, scale).texels) * chart_extent(chart.height, scale).texels;
-    }
     if (area > static_cast<double>(size) * size)
         return std::nullopt;
     AtlasPacking packing{size, scale, std::vector<AtlasPosition>(tallest_first.size())};
     AtlasSkyline skyline(size);
     for (const std::uint32_t n : tallest_first) {
-        const Chart& chart = charts[n % charts.size()];
+        const Chart& chart = charts[n];
         const auto position =
             skyline.add(chart_extent(chart.width, scale).texels, chart_extent(chart.height, scale).texels);
         if (!position)
@@ -126,14 +124,12 @@ std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const st
 
 } // namespace
 
-std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_sided, std::uint32_t size)
+std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, std::uint32_t size)
 {
-    std::vector<std::uint32_t> tallest_first((two_sided ? 2 : 1) * charts.size());
+    std::vector<std::uint32_t> tallest_first(charts.size());
     std::iota(tallest_first.begin(), tallest_first.end(), 0u);
     std::stable_sort(tallest_first.begin(), tallest_first.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const Chart& one = charts[a % charts.size()];
-        const Chart& other = charts[b % charts.size()];
-        return std::tie(one.height, one.width) > std::tie(other.height, other.width);
+        return std::tie(charts[a].height, charts[a].width) > std::tie(charts[b].height, charts[b].width);
     });
     std::optional<AtlasPacking> best = packed_at(charts, tallest_first, size, 0.0);
     if (!best)
@@ -142,8 +138,8 @@ std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_si
     double area = 0.0;
     double longest = 0.0;
     for (const std::uint32_t n : tallest_first) {
-        area += charts[n % charts.size()].width * charts[n % charts.size()].height;
-        longest = std::max(longest, charts[n % charts.size()].width);
+        area += charts[n].width * charts[n].height;
+        longest = std::max(longest, charts[n].width);
     }
     double too_large = std::min(size / std::sqrt(area), size / longest);
     constexpr int steps = 12;

@@ -18,7 +18,7 @@ struct AtlasPosition
     std::uint32_t y = 0;
 };
 
-/// The positions of the charts in an atlas: the front of chart n at positions[n], its back at positions[charts + n].
+/// The positions of the charts in an atlas.
 struct AtlasPacking
 {
     std::uint32_t size = 0; ///< [texel]
@@ -29,7 +29,7 @@ struct AtlasPacking
 /// Packs the charts at the largest scale that bisection finds; nothing if they do not fit even at their minimum sizes.
 /// The bounding rectangles of the charts, tallest first, are placed at the lowest position of a skyline (Jylanki 2010,
 /// "A thousand ways to pack the bin", bottom-left heuristic).
-std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, bool two_sided, std::uint32_t size);
+std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, std::uint32_t size);
 
 /// Texture frame of a surface whose chart lies at a position of the atlas. Edges of charts run through texel centres
 /// where possible, so that bilinear lookup on an edge finds the light of that edge.

@@ -85,8 +85,8 @@ public:
     void find_owners(const std::vector<Chart>& charts, int threads)
     {
         parallel_blocks(map_.chart_count, threads, [&](std::uint64_t n) {
-            for (const std::uint32_t s : charts[n % charts.size()].surfaces)
-                claim(s + (n < charts.size() ? 0 : scene_.own_surfaces()));
+            for (const std::uint32_t side : charts[n].sides)
+                claim(side);
         });
     }
 

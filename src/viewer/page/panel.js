@@ -99,11 +99,8 @@ class Panel {
     if (!legend)
       return;
     element('legend-title').textContent = `${title} [${unit}]`;
-    const context = element('legend-bar').getContext('2d'), map = this.viewer.colour_map;
-    const bar = context.createImageData(256, 1);
-    for (let x = 0; x < 256; ++x)
-      bar.data.set([map[3 * x], map[3 * x + 1], map[3 * x + 2], 255], 4 * x);
-    context.putImageData(bar, 0, 0);
+    const colours = Array.from({ length: 256 }, (_, k) => `rgb(${this.viewer.colour_map.subarray(3 * k, 3 * k + 3).join()})`);
+    element('legend-bar').style.background = `linear-gradient(90deg, ${colours.join()})`;
     element('legend-numbers').replaceChildren();
     for (const number of legend.numbers)
       append_element(element('legend-numbers'), 'span', number);
