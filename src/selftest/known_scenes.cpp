@@ -1,13 +1,9 @@
 #include "selftest/known_scenes.h"
 
 #include "base/elementary.h"
-#include "geometry/form_factor/gauss_legendre.h"
-#include "geometry/polygon.h"
 #include "scene/scene_builder.h"
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 namespace multipath {
 
@@ -48,79 +44,6 @@ double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z
     };
     const auto ends = [&](int i, int j, int k, int l) { return term(x1[i] - x2[k], y[j] * y[j] + z[l] * z[l]); };
     return sum_over_ends(ends) / (2.0 * pi);
-}
-
-// How irradiance_past() works: the polygon of the lamp is clipped by the horizon of the point. Each blocker then
-// removes its shadow from what is left: the part inside the pyramid from the point through the edges of the blocker,
-// and farther away than the plane of the blocker. A plane cuts a convex polygon into two convex ones, so the visible
-// region is a list of convex polygons. Lambert's formula gives the irradiance from each.
-
-namespace {
-
-using Polygon = std::vector<Vec3>; ///< convex, with any number of corners
-
-/// The parts of a polygon on both sides of a plane.
-struct Halves
-{
-    Polygon front;
-    Polygon back;
-};
-
-/// Cuts a polygon by the plane through a point with this normal.
-Halves cut(const Polygon& polygon, Vec3 origin, Vec3 normal)
-{
-    Halves result;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec3 from = polygon[k];
-        const Vec3 to = polygon[(k + 1) % polygon.size()];
-        const double here = dot(from - origin, normal);
-        const double there = dot(to - origin, normal);
-        if (here >= 0.0)
-            result.front.push_back(from);
-        if (here <= 0.0)
-            result.back.push_back(from);
-        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
-            const Vec3 between = from + (here / (here - there)) * (to - from);
-            result.front.push_back(between);
-            result.back.push_back(between);
-        }
-    }
-    return result;
-}
-
-/// Appends the parts of a polygon that are visible from the point past a blocker: the part outside each plane through
-/// the point and an edge of the blocker, and of the rest the part in front of the blocker's plane.
-void add_seen(Polygon rest, const Surface& blocker, Vec3 point, std::vector<Polygon>& seen)
-{
-    const std::vector<Vec3> corners = corners_of(blocker);
-    const double side = dot(blocker.centre() - point, blocker.normal()) < 0.0 ? -1.0 : 1.0;
-    for (std::size_t k = 0; k < corners.size() && rest.size() > 2; ++k) {
-        const Vec3 inward = side * cross(corners[k] - point, corners[(k + 1) % corners.size()] - point);
-        Halves halves = cut(rest, point, inward);
-        seen.push_back(std::move(halves.back));
-        rest = std::move(halves.front);
-    }
-    seen.push_back(cut(rest, blocker.centre(), side * blocker.normal()).back);
-}
-
-} // namespace
-
-double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal)
-{
-    if (dot(point - lamp.centre(), lamp.normal()) <= 0.0)
-        return 0.0;
-    std::vector<Polygon> parts = {cut(corners_of(lamp), point, normal).front};
-    for (const Surface& blocker : blockers) {
-        std::vector<Polygon> seen;
-        for (Polygon& part : parts)
-            add_seen(std::move(part), blocker, point, seen);
-        parts = std::move(seen);
-    }
-    double sum = 0.0;
-    for (const Polygon& part : parts)
-        if (part.size() > 2)
-            sum += lambert_sum(part.data(), part.size(), point, normal);
-    return sum;
 }
 
 // Scenes so simple that the light in them is known from a formula: reflections in a closed room sum to a geometric
@@ -206,16 +129,6 @@ KnownScene facing_squares()
              radiosity_of("the other", 1, &Rgb::g, b_2, rho_2, rho_2, 1.0), escaping((1.0 - f) * (b_1 + b_2))}};
 }
 
-/// A small lamp below a large rectangle, to one side of it.
-KnownScene parallel()
-{
-    SceneBuilder builder;
-    builder.rectangle({0.5, 0, 0}, 0.5 * z_axis, 0.5 * x_axis, builder.grey(0.0, 1.0));
-    builder.rectangle({0, 0.7, 0}, 2.0 * x_axis, z_axis, builder.grey(0.5, 0.0));
-    const double exchange = parallel_rectangles({0.5, 1.0}, {0.0, 0.5}, {0.0, 2.0}, {0.0, 1.0}, 0.7);
-    return {"parallel", builder.file(), {exchange_with(1, 0.5, exchange)}};
-}
-
 /// A lamp and a perpendicular wall that have a part of an edge in common.
 KnownScene perpendicular()
 {
@@ -240,43 +153,6 @@ KnownScene screened()
     return {"screened", builder.file(), {exchange_with(1, 0.5, 2.0 * half)}};
 }
 
-/// Mean irradiance of a rectangle by Gauss-Legendre quadrature with 3 x 3 nodes in each of 64 x 64 cells. The cells are
-/// small because the irradiance has kinks at shadow boundaries.
-double mean_irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, const Surface& receiver)
-{
-    constexpr int parts = 64;
-    double sum = 0.0;
-    double weights = 0.0;
-    for (int i = 0; i < parts; ++i)
-        for (int j = 0; j < parts; ++j)
-            for (const GaussNode& u : gauss_3)
-                for (const GaussNode& v : gauss_3) {
-                    const Vec3 point = receiver.at((i + u.place) / parts, (j + v.place) / parts);
-                    sum += u.weight * v.weight * irradiance_past(blockers, lamp, point, receiver.normal());
-                    weights += u.weight * v.weight;
-                }
-    return sum / weights;
-}
-
-/// A floor in the penumbra of two black sheets, one of them tilted, whose shadows overlap.
-KnownScene penumbra()
-{
-    const Surface lamp = {Shape::parallelogram, {0, 1, 0}, x_axis, 0.8 * z_axis};
-    const Surface floor = {Shape::parallelogram, {0, 0, 0}, z_axis, x_axis};
-    const Surface level = {Shape::parallelogram, {0.1, 0.5, 0.1}, 0.4 * x_axis, 0.5 * z_axis};
-    const Surface tilted = {Shape::parallelogram, {0.3, 0.55, 0.2}, {0.4, 0.2, 0.1}, {-0.1, 0.1, 0.5}};
-    const auto turned = [](Surface surface) {
-        std::swap(surface.edge_u, surface.edge_v);
-        return surface;
-    };
-    SceneBuilder builder;
-    const std::uint32_t black = builder.grey(0.0, 0.0);
-    builder.surface(lamp, builder.grey(0.0, 1.0)).surface(floor, builder.grey(0.5, 0.0));
-    for (const Surface& sheet : {level, tilted})
-        builder.surface(sheet, black).surface(turned(sheet), black);
-    return {"penumbra", builder.file(), {exchange_with(1, 0.5, mean_irradiance_past({level, tilted}, lamp, floor))}};
-}
-
 /// A glowing cube in the middle of a closed one. All light of the inner cube i reaches the outer cube o, so reciprocity
 /// gives F_oi = A_i / A_o, and the share 1 - F_oi of the light of the outer cube returns to it: B_i = E + rho_i B_o,
 /// B_o = rho_o (F_oi B_i + (1 - F_oi) B_o). By symmetry the six faces of each cube are alike.
@@ -297,23 +173,11 @@ KnownScene nested_cubes()
              radiosity_of("the inner", 8, &Rgb::g, b_i, rho_i, rho_i, 0.16)}};
 }
 
-/// A black cube without a ceiling, whose floor emits: the share F of two facing squares escapes.
-KnownScene open_cube()
-{
-    SceneBuilder builder;
-    const std::uint32_t black = builder.grey(0.0, 0.0);
-    builder.rectangle({0, 0, 0}, z_axis, x_axis, builder.grey(0.0, 1.0));
-    builder.rectangle({0, 0, 0}, y_axis, z_axis, black).rectangle({1, 0, 0}, z_axis, y_axis, black);
-    builder.rectangle({0, 0, 0}, x_axis, y_axis, black).rectangle({0, 0, 1}, y_axis, x_axis, black);
-    return {"open-cube", builder.file(), {escaping(opposite_squares())}};
-}
-
 } // namespace
 
 std::vector<KnownScene> known_scenes()
 {
-    return {furnace(),  facing_squares(), parallel(),     perpendicular(),
-            screened(), penumbra(),       nested_cubes(), open_cube()};
+    return {furnace(), facing_squares(), perpendicular(), screened(), nested_cubes()};
 }
 
 } // namespace multipath

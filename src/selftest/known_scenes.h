@@ -1,8 +1,6 @@
 #pragma once
 
-#include "geometry/surface.h"
-#include "geometry/vec3.h"
-#include "radiosity/run/solve.h"
+#include "radiosity/run/solution.h"
 #include "scene/scene_file.h"
 
 #include <functional>
@@ -29,12 +27,6 @@ double parallel_rectangles(Interval x1, Interval y1, Interval x2, Interval y2, d
 /// [m^2] A F of the rectangles x1 * y in the plane z = 0 and x2 * z in the plane y = 0 (Howell C-15). Each rectangle
 /// lies on the positive side of the other's plane: y.low, z.low >= 0.
 double perpendicular_rectangles(Interval x1, Interval y, Interval x2, Interval z);
-
-/// [1] Exact irradiance at a point with this unit normal from a lamp of radiosity 1 that opaque surfaces occlude in
-/// part; 0 behind the lamp, which emits at its front. The polygon of the lamp is clipped by the horizon (the plane
-/// through the point with the normal) and by the shadow of every blocker, and the visible parts are integrated by
-/// Lambert's formula. The point must not lie in the plane of a blocker.
-double irradiance_past(const std::vector<Surface>& blockers, const Surface& lamp, Vec3 point, Vec3 normal);
 
 /// A quantity of a solved scene whose value is known from a formula.
 struct KnownAnswer

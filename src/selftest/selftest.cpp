@@ -16,46 +16,27 @@ namespace multipath {
 
 namespace {
 
-std::string outcome_word(CheckOutcome outcome)
+constexpr const char* outcome_words[] = {"passed", "WRONG", "INCONCLUSIVE"}; ///< by CheckOutcome
+
+const char* word_for(CheckOutcome outcome)
 {
-    switch (outcome) {
-    case CheckOutcome::passed:
-        return "passed";
-    case CheckOutcome::wrong:
-        return "WRONG";
-    default:
-        return "INCONCLUSIVE";
-    }
+    return outcome_words[static_cast<std::size_t>(outcome)];
 }
 
-/// A number with two decimals, or in exponential notation from 1000 on.
-std::string short_number(double value)
+/// The sigmas of a random check in this format; `missing` if nothing is random, or if all runs agree.
+std::string sigmas_text(const Check& check, const char* number, const char* missing)
 {
-    return format(std::abs(value) < 1000.0 ? "%.2f" : "%.1e", value);
+    const double off = sigmas(check);
+    return check.degrees > 0 && std::isfinite(off) ? format(number, off) : missing;
 }
 
 std::string check_text(const Check& check, CheckOutcome outcome)
 {
-    const double off = sigmas(check);
-    const bool random = check.degrees > 0;
-    return format("%-14s %-10s %-15s %-32s %11.6g %11.6g ", check.topic.c_str(), check.method.c_str(),
-                  check.sequence.c_str(), check.quantity.c_str(), check.expected, check.measured) +
-           (random ? format("%9.2g ", check.standard_error) : format("%9s ", "-")) +
-           (random && std::isfinite(off) ? format("%7s", short_number(off).c_str()) : format("%7s", "-")) + "  " +
-           outcome_word(outcome) + "\n";
-}
-
-/// States the widest limit of the table, that of the checks with the fewest runs.
-std::string limit_text(const std::vector<Check>& checks, const SignificanceTest& test)
-{
-    double most = 0.0;
-    for (const Check& check : checks)
-        most = std::max(most, test.most_sigmas(check.degrees));
-    return most == 0.0
-               ? ""
-               : format(
-                     "a check fails beyond %.2f sigmas; a correct program fails any of them with a probability of %g\n",
-                     most, SignificanceTest::risk);
+    const std::string error = check.degrees > 0 ? format("%.2g", check.standard_error) : "-";
+    const char* const number = std::abs(sigmas(check)) < 1000.0 ? "%.2f" : "%.1e";
+    return format("%-14s %-10s %-15s %-32s %11.6g %11.6g %9s %7s  %s\n", check.topic.c_str(), check.method.c_str(),
+                  check.sequence.c_str(), check.quantity.c_str(), check.expected, check.measured, error.c_str(),
+                  sigmas_text(check, number, "-").c_str(), word_for(outcome));
 }
 
 } // namespace
@@ -96,13 +77,17 @@ std::string checks_text(const std::vector<Check>& checks, bool only_failed)
 {
     const SignificanceTest test(checks);
     std::string text;
+    double most = 0.0; // the widest limit, that of the checks with the fewest runs
     for (const Check& check : checks) {
         const CheckOutcome outcome = test.outcome(check);
         if (outcome != CheckOutcome::passed || !only_failed)
             text += check_text(check, outcome);
+        most = std::max(most, test.most_sigmas(check.degrees));
     }
-    if (!only_failed)
-        text += limit_text(checks, test);
+    if (!only_failed && most > 0.0)
+        text +=
+            format("a check fails beyond %.2f sigmas; a correct program fails any of them with a probability of %g\n",
+                   most, SignificanceTest::risk);
     if (!text.empty())
         text = format("%-14s %-10s %-15s %-32s %11s %11s %9s %7s  %s\n", "case", "method", "sequence", "quantity",
                       "expected", "measured", "std error", "sigmas", "outcome") +
@@ -116,14 +101,11 @@ std::string checks_csv(const std::vector<Check>& checks, const std::vector<std::
     std::string csv = comment_lines(comments);
     csv += "case,method,sequence,quantity,expected,measured,standard_error,sigmas,limit,outcome\n";
     for (const Check& check : checks) {
-        const bool random = check.degrees > 0;
-        const double off = sigmas(check);
         for (const std::string& name : {check.topic, check.method, check.sequence, check.quantity})
             csv += csv_field(name) + ",";
         csv += format("%.17g,%.17g,", check.expected, check.measured) +
-               (random ? format("%.17g", check.standard_error) : "") + "," +
-               (random && std::isfinite(off) ? format("%.4g", off) : "") +
-               format(",%.4g,%s\n", test.limit(check), outcome_word(test.outcome(check)).c_str());
+               (check.degrees > 0 ? format("%.17g", check.standard_error) : "") + "," + sigmas_text(check, "%.4g", "") +
+               format(",%.4g,%s\n", test.limit(check), word_for(test.outcome(check)));
     }
     return csv;
 }
@@ -140,8 +122,6 @@ constexpr double known_scene_resolution = 0.05; ///< [1]
 constexpr double scene_resolution = 0.25;       ///< [1] scenes may be hard
 constexpr std::size_t most_materials = 4;
 
-using Channel = double Rgb::*;
-
 constexpr const char* scene_sequence = "sobol-owen";
 
 SolveOptions options_of_run(Method method, const std::string& sequence, const SelftestSettings& settings, int number)
@@ -157,16 +137,12 @@ SolveOptions options_of_run(Method method, const std::string& sequence, const Se
                            most_items_per_line * settings.lines);
 }
 
-Preparation preparation_for(const Scene& scene, Method method)
+std::vector<Solution> solved_runs(const Scene& scene, Method method, const std::string& sequence,
+                                  const SelftestSettings& settings)
 {
-    SolveOptions options;
-    options.method = method;
-    return prepare(scene, options);
-}
-
-std::vector<Solution> solved_runs(const Scene& scene, const Preparation& preparation, Method method,
-                                  const std::string& sequence, const SelftestSettings& settings)
-{
+    SolveOptions usual; // the same preparation with any number of lines
+    usual.method = method;
+    const Preparation preparation = prepare(scene, usual);
     std::vector<Solution> runs;
     for (int number = 0; number < settings.replicates; ++number)
         runs.push_back(solve(scene, preparation, options_of_run(method, sequence, settings, number), [](double) {}));
@@ -219,7 +195,6 @@ Check balance_check(const std::string& topic, const std::string& method, const s
 std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method method, const SelftestSettings& settings)
 {
     const Scene scene(known.file, whole_surfaces);
-    const Preparation preparation = preparation_for(scene, method);
     const double most_power = mean(scene.source_power());
     SelftestSettings of_method = settings;
     if (method == Method::gathering)
@@ -230,7 +205,7 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
         if (!kind.in_selftest)
             continue;
         const std::string sequence(kind.name);
-        const std::vector<Solution> runs = solved_runs(scene, preparation, method, sequence, of_method);
+        const std::vector<Solution> runs = solved_runs(scene, method, sequence, of_method);
         const double unshot = mean_unshot(runs, method);
         for (const KnownAnswer& answer : known.answers) {
             Check check = {known.name, std::string(method->name), sequence, answer.quantity, answer.value};
@@ -247,7 +222,7 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
 struct NamedChannel
 {
     const char* name;
-    Channel channel;
+    double Rgb::*channel;
 };
 
 /// One channel for a grey scene, all three for others.
@@ -293,7 +268,7 @@ std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>
 
 /// Bound of the power [W] that unshot light would still add to a material: twice what it would add if it were spread
 /// evenly over the scene.
-double missing_power(const Scene& scene, std::size_t material, double unshot, Channel channel)
+double missing_power(const Scene& scene, std::size_t material, double unshot, double Rgb::*channel)
 {
     double area = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
@@ -303,7 +278,8 @@ double missing_power(const Scene& scene, std::size_t material, double unshot, Ch
 }
 
 /// Checks of the reflected power of these materials in each channel; the expected value is still missing.
-std::vector<Check> material_checks(const Scene& scene, const Method method, const std::vector<std::size_t>& materials,
+std::vector<Check> material_checks(const Scene& scene, const std::string& method,
+                                   const std::vector<std::size_t>& materials,
                                    const std::vector<std::vector<Rgb>>& powers, double unshot)
 {
     std::vector<Check> checks;
@@ -312,8 +288,7 @@ std::vector<Check> material_checks(const Scene& scene, const Method method, cons
             const Material& material = scene.materials()[m];
             if (material.reflectance.*colour.channel <= 0.0)
                 continue;
-            Check check = {"agreement", std::string(method->name), scene_sequence,
-                           material.name + ", " + colour.name + " [W]"};
+            Check check = {"agreement", method, scene_sequence, material.name + ", " + colour.name + " [W]"};
             check.allowance = missing_power(scene, m, unshot, colour.channel);
             checks.push_back(
                 measured_by(check, powers, [&](const std::vector<Rgb>& power) { return power[m].*colour.channel; }));
@@ -394,15 +369,15 @@ std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& sett
         SelftestSettings of_method = settings;
         if (method == Method::gathering) // few of its walks meet a small lamp
             of_method.lines *= 16;
-        const std::vector<Solution> runs =
-            solved_runs(scene, preparation_for(scene, method), method, scene_sequence, of_method);
-        checks.push_back(balance_check("power", std::string(method->name), runs));
-        checks.push_back(emitted_check(scene, std::string(method->name), runs));
-        checks.push_back(reflected_check(scene, std::string(method->name), runs));
+        const std::vector<Solution> runs = solved_runs(scene, method, scene_sequence, of_method);
+        const std::string name(method->name);
+        checks.push_back(balance_check("power", name, runs));
+        checks.push_back(emitted_check(scene, name, runs));
+        checks.push_back(reflected_check(scene, name, runs));
         const std::vector<std::vector<Rgb>> powers = reflected_powers(scene, runs);
         if (method == Method::local)
             materials = brightest_materials(powers);
-        const std::vector<Check> found = material_checks(scene, method, materials, powers, mean_unshot(runs, method));
+        const std::vector<Check> found = material_checks(scene, name, materials, powers, mean_unshot(runs, method));
         if (method == Method::local)
             local = found;
         else

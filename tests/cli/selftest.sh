@@ -3,8 +3,8 @@
 
 # The table of all scenes takes half a minute of one processor: `./multipath selftest` tells.
 known_scene() {
-    ends 0 selftest --case parallel --threads 1 -o one.csv && tail -n 1 out | grep -Eqx '[1-9][0-9]+ passed, 0 failed' || return
-    for word in $(methods) random sobol-owen halton kronecker parallel; do
+    ends 0 selftest --case perpendicular --threads 1 -o one.csv && tail -n 1 out | grep -Eqx '[1-9][0-9]+ passed, 0 failed' || return
+    for word in $(methods) random sobol-owen halton kronecker perpendicular; do
         says out "$word" || return
     done
     grep -q '^# command: multipath selftest' one.csv && # as many rows as were passed

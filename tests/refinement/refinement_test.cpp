@@ -2,11 +2,11 @@
 
 #include "base/elementary.h"
 #include "image/shading/smooth_shading.h"
+#include "irradiance_past.h"
 #include "radiosity/run/replicates.h"
 #include "radiosity/run/solve.h"
 #include "refinement/adaptive_patches.h"
 #include "scene/tessellation.h"
-#include "selftest/known_scenes.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>

@@ -59,7 +59,7 @@ TEST_CASE("a known scene passes, and without its screen it fails with every meth
 
 TEST_CASE("runs differ from each other, also with a sequence that has no randomisation")
 {
-    for (const Check& check : known_scene_checks({known_scene("parallel")}, few_runs(1), silent)) {
+    for (const Check& check : known_scene_checks({known_scene("perpendicular")}, few_runs(1), silent)) {
         CAPTURE(check.method);
         CAPTURE(check.sequence);
         if (check.sequence == "all")
@@ -72,7 +72,7 @@ TEST_CASE("runs differ from each other, also with a sequence that has no randomi
 
 TEST_CASE("the checks do not depend on the number of threads")
 {
-    const std::vector<KnownScene> scenes = {known_scene("parallel"), known_scene("facing-squares")};
+    const std::vector<KnownScene> scenes = {known_scene("perpendicular"), known_scene("facing-squares")};
     CHECK(checks_csv(known_scene_checks(scenes, few_runs(1), silent), {}) ==
           checks_csv(known_scene_checks(scenes, few_runs(3), silent), {}));
 }
