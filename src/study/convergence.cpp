@@ -13,7 +13,6 @@
 #include <cinttypes>
 #include <cstring>
 #include <locale>
-#include <memory>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -22,40 +21,40 @@ namespace multipath {
 
 namespace {
 
-std::string key_text(const ExecutionKey& key)
-{
-    return key.curve + "\t" + std::to_string(key.lines) + "\t" + std::to_string(key.number);
-}
-
 std::string checksum_text(const std::string& text)
 {
-    return format("%08" PRIx32, crc32(text));
+    return format("\t%08" PRIx32, crc32(text));
 }
 
-std::string values_text(const Execution& e)
+std::string record_of(const std::string& name, const CurvePoint& e)
 {
-    return format("\t%" PRIu64 "\t%" PRIu64 "\t%.17g\t%.17g\t%.17g", e.local_lines, e.global_lines, e.mean_square,
-                  e.relative, e.seconds);
+    const std::string record = name + format("\t%.17g\t%.17g\t%.17g\t%.17g\t%.17g", e.local_lines, e.global_lines,
+                                             e.mean_square, e.relative, e.seconds);
+    return record + checksum_text(record);
 }
 
 /// Parses a record. Nothing if its checksum is wrong or it is malformed.
-std::optional<std::pair<std::string, Execution>> parsed(const std::string& line)
+std::optional<std::pair<std::string, CurvePoint>> parsed(const std::string& line)
 {
     const std::size_t end = line.rfind('\t');
-    if (end == std::string::npos || checksum_text(line.substr(0, end)) != line.substr(end + 1))
+    if (end == std::string::npos || checksum_text(line.substr(0, end)) != line.substr(end))
         return {};
     std::istringstream fields(line.substr(0, end));
     fields.imbue(std::locale::classic());
-    ExecutionKey key;
-    Execution e;
-    std::getline(fields, key.curve, '\t');
-    if (!(fields >> key.lines >> key.number >> e.local_lines >> e.global_lines >> e.mean_square >> e.relative >>
-          e.seconds))
+    std::pair<std::string, CurvePoint> record;
+    std::getline(fields, record.first, '\t');
+    CurvePoint& e = record.second;
+    if (!(fields >> e.local_lines >> e.global_lines >> e.mean_square >> e.relative >> e.seconds))
         return {};
-    return std::pair{key_text(key), e};
+    return record;
 }
 
 } // namespace
+
+std::string execution_name(const std::string& curve, std::uint64_t lines, int number)
+{
+    return curve + " " + std::to_string(lines) + " " + std::to_string(number);
+}
 
 Journal::Journal(const std::string& path, const std::string& identity) : path_(path)
 {
@@ -64,7 +63,7 @@ Journal::Journal(const std::string& path, const std::string& identity) : path_(p
     if (std::getline(lines, line) && line == identity)
         while (std::getline(lines, line))
             if (const auto record = parsed(line))
-                executions_[record->first] = record->second;
+                executions_.insert(*record);
     const bool fresh = executions_.empty();
     file_.open(path, std::ios::binary | (fresh ? std::ios::trunc : std::ios::app));
     append(fresh ? identity : ""); // a line feed ends a record that a crash may have cut off
@@ -76,20 +75,19 @@ void Journal::append(const std::string& line)
         throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
 }
 
-std::optional<Execution> Journal::find(const ExecutionKey& key) const
+std::optional<CurvePoint> Journal::find(const std::string& name) const
 {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = executions_.find(key_text(key));
+    const auto found = executions_.find(name);
     return found == executions_.end() ? std::nullopt : std::optional(found->second);
 }
 
-void Journal::add(const ExecutionKey& key, const Execution& execution)
+void Journal::add(const std::string& name, const CurvePoint& execution)
 {
     const std::lock_guard<std::mutex> lock(mutex_);
-    executions_[key_text(key)] = execution;
-    const std::string text = key_text(key) + values_text(execution);
+    executions_[name] = execution;
     if (!path_.empty())
-        append(text + "\t" + checksum_text(text));
+        append(record_of(name, execution));
 }
 
 // All executions of all curves are independent tasks. Each execution solves the scene on one thread, with its own seed
@@ -100,16 +98,6 @@ void Journal::add(const ExecutionKey& key, const Execution& execution)
 namespace {
 
 constexpr double clearly_above = 10.0; ///< times the error of the reference, which then moves a point by 10 % at most
-
-/// Processor time of the calling thread since this object was made, without the time that other programs take.
-class ProcessorTime
-{
-public:
-    double seconds() const { return thread_seconds() - start_; } ///< [s]
-
-private:
-    double start_ = thread_seconds();
-};
 
 std::string curve_name(const CurveKind& kind)
 {
@@ -127,56 +115,12 @@ std::uint64_t item_stride(const Scene& scene, const SolveOptions& options)
     return items;
 }
 
-/// The executions of one curve, which share one preparation.
-class CurveRuns
-{
-public:
-    CurveRuns(const Scene& scene, const CurvePlan& plan, std::uint64_t seed) : scene_(scene), plan_(plan), seed_(seed)
-    {
-    }
-
-    Execution run(std::uint64_t lines, int number, const std::vector<double>& areas, const Reference& reference,
-                  const ProgressCallback& progress)
-    {
-        prepare_once();
-        const ProcessorTime time;
-        const Solution solution = solve(scene_, preparation_, options_for(lines, number), progress);
-        const double seconds = preparation_seconds_ + time.seconds();
-        const ErrorMeasure error = reference.measure ? reference.measure(solution.radiosity)
-                                                     : measure_error(areas, solution.radiosity, reference.radiosity);
-        return {solution.local_lines, solution.global_lines, error.mean_square, error.relative_mean_square, seconds};
-    }
-
-private:
-    void prepare_once()
-    {
-        std::call_once(prepared_, [&] {
-            const ProcessorTime time;
-            preparation_ = prepare(scene_, plan_.options);
-            preparation_seconds_ = time.seconds();
-        });
-    }
-
-    SolveOptions options_for(std::uint64_t lines, int number) const
-    {
-        SolveOptions options = plan_.options;
-        options.lines = lines;
-        return independent_run(options, RandomStream::runs, seed_ ^ lines, static_cast<std::uint64_t>(number),
-                               item_stride(scene_, options));
-    }
-
-    const Scene& scene_;
-    const CurvePlan& plan_;
-    std::uint64_t seed_;
-    std::once_flag prepared_;
-    Preparation preparation_;
-    double preparation_seconds_ = 0.0;
-};
-
 struct PlannedRun
 {
     std::size_t curve;
-    ExecutionKey key;
+    std::uint64_t lines;
+    int number;
+    std::string name; ///< in the journal
 };
 
 /// Executions that are not in the journal, the longest first, so that all threads finish at about the same time.
@@ -186,41 +130,79 @@ std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal
     for (auto lines = plan.line_counts.rbegin(); lines != plan.line_counts.rend(); ++lines)
         for (std::size_t c = 0; c < plan.curves.size(); ++c)
             for (int number = 0; number < plan.executions; ++number) {
-                const ExecutionKey key{curve_name(plan.curves[c].kind), *lines, number};
-                if (!journal.find(key))
-                    runs.push_back({c, key});
+                const std::string name = execution_name(curve_name(plan.curves[c].kind), *lines, number);
+                if (!journal.find(name))
+                    runs.push_back({c, *lines, number, name});
             }
     return runs;
 }
 
+/// What the executions of a curve share.
+struct PreparedCurve
+{
+    Preparation preparation;
+    double seconds = 0.0; ///< processor time of one thread
+};
+
+/// Prepares the curves of these runs.
+std::vector<PreparedCurve> prepare_curves(const Scene& scene, const StudyPlan& plan,
+                                          const std::vector<PlannedRun>& runs, int threads)
+{
+    std::vector<PreparedCurve> curves(plan.curves.size());
+    parallel_blocks(curves.size(), threads, [&](std::uint64_t n) {
+        const auto c = static_cast<std::size_t>(n);
+        if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& run) { return run.curve == c; }))
+            return;
+        const double start = thread_seconds();
+        curves[c].preparation = prepare(scene, plan.curves[c].options);
+        curves[c].seconds = thread_seconds() - start;
+    });
+    return curves;
+}
+
+CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& run, const PreparedCurve& curve,
+                   const Reference& reference, const ProgressCallback& progress)
+{
+    SolveOptions options = plan.curves[run.curve].options;
+    options.lines = run.lines;
+    options = independent_run(options, RandomStream::runs, plan.seed ^ run.lines,
+                              static_cast<std::uint64_t>(run.number), item_stride(scene, options));
+    const double start = thread_seconds();
+    const Solution solution = solve(scene, curve.preparation, options, progress);
+    CurvePoint point{run.lines};
+    point.seconds = curve.seconds + (thread_seconds() - start);
+    const ErrorMeasure error = reference.measure
+                                   ? reference.measure(solution.radiosity)
+                                   : measure_error(scene.weights(), solution.radiosity, reference.radiosity);
+    point.local_lines = static_cast<double>(solution.local_lines);
+    point.global_lines = static_cast<double>(solution.global_lines);
+    point.mean_square = error.mean_square;
+    point.relative = error.relative_mean_square;
+    return point;
+}
+
 CurvePoint mean_point(const CurveKind& kind, std::uint64_t lines, int executions, const Journal& journal)
 {
-    std::vector<Execution> runs;
-    for (int number = 0; number < executions; ++number)
-        runs.push_back(*journal.find({curve_name(kind), lines, number}));
-    const auto averaged = [&](auto value) {
+    CurvePoint point{lines};
+    for (double CurvePoint::*value : {&CurvePoint::local_lines, &CurvePoint::global_lines, &CurvePoint::mean_square,
+                                      &CurvePoint::relative, &CurvePoint::seconds}) {
         RunningMean mean;
-        for (const Execution& run : runs)
-            mean.add(static_cast<double>(run.*value));
-        return mean;
-    };
-    const RunningMean relative = averaged(&Execution::relative);
-    return {lines,
-            averaged(&Execution::local_lines).mean(),
-            averaged(&Execution::global_lines).mean(),
-            averaged(&Execution::mean_square).mean(),
-            relative.mean(),
-            executions > 1 ? relative.standard_error() : 0.0,
-            averaged(&Execution::seconds).mean()};
+        for (int number = 0; number < executions; ++number)
+            mean.add((*journal.find(execution_name(curve_name(kind), lines, number))).*value);
+        point.*value = mean.mean();
+        if (value == &CurvePoint::relative && executions > 1)
+            point.relative_error = mean.standard_error();
+    }
+    return point;
 }
 
 Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& reference, const Journal& journal)
 {
     Curve curve{kind, {}, {}};
     for (const std::uint64_t count : plan.line_counts) {
-        curve.points.push_back(mean_point(kind, count, plan.executions, journal));
-        CurvePoint& point = curve.points.back();
+        CurvePoint point = mean_point(kind, count, plan.executions, journal);
         point.above_reference = point.relative > clearly_above * reference.relative_square.value_or(0.0);
+        curve.points.push_back(point);
     }
     curve.law = fit(curve.points); // (2)
     return curve;
@@ -231,20 +213,16 @@ Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& 
 Study run_study(const Scene& scene, const Reference& reference, const StudyPlan& plan, Journal& journal, int threads,
                 const ProgressCallback& progress)
 {
-    const std::vector<double> areas = scene.weights();
-    std::vector<std::unique_ptr<CurveRuns>> curves;
-    for (const CurvePlan& curve : plan.curves)
-        curves.push_back(std::make_unique<CurveRuns>(scene, curve, plan.seed));
-
     const std::vector<PlannedRun> runs = runs_to_do(plan, journal);
+    const std::vector<PreparedCurve> curves = prepare_curves(scene, plan, runs, threads);
     double all_lines = 0.0;
     for (const PlannedRun& run : runs)
-        all_lines += static_cast<double>(run.key.lines);
+        all_lines += static_cast<double>(run.lines);
     double done_lines = 0.0;
     std::mutex mutex;
     parallel_blocks(runs.size(), threads, [&](std::uint64_t n) {
         const PlannedRun& run = runs[n];
-        const auto lines = static_cast<double>(run.key.lines);
+        const auto lines = static_cast<double>(run.lines);
         double reported = 0.0; // share of this run
         const auto report = [&](double done) {
             const std::lock_guard<std::mutex> lock(mutex);
@@ -252,7 +230,7 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
             reported = done;
             progress(std::min(1.0, done_lines / all_lines));
         };
-        journal.add(run.key, curves[run.curve]->run(run.key.lines, run.key.number, areas, reference, report));
+        journal.add(run.name, execute(scene, plan, run, curves[run.curve], reference, report));
         report(1.0);
     });
 

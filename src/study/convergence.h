@@ -15,26 +15,13 @@
 
 namespace multipath {
 
-/// Identifies an execution (run) of a study.
-struct ExecutionKey
-{
-    std::string curve; ///< name of the curve, without tabs and line ends
-    std::uint64_t lines = 0;
-    int number = 0; ///< index of the execution among those with the same curve and lines
-};
+/// Name of an execution (run) of a study: that of its curve, its lines, and its number among those with the same curve
+/// and lines. The name of the curve has no tabs and line ends.
+std::string execution_name(const std::string& curve, std::uint64_t lines, int number);
 
-/// Result of one execution.
-struct Execution
-{
-    std::uint64_t local_lines = 0;  ///< N_l, number of lines cast locally
-    std::uint64_t global_lines = 0; ///< N_g, number of lines cast globally
-    double mean_square = 0.0;       ///< [W^2/m^4] MSE, (1) in docs/equations.md
-    double relative = 0.0;          ///< [1] relative MSE
-    double seconds = 0.0;           ///< [s] processor time on one thread
-};
-
-/// Log of the finished executions of a study in a file, from which an interrupted study resumes. Each execution is one
-/// line with a checksum; lines that a crash left incomplete are ignored. Thread-safe.
+/// Log of the finished executions of a study in a file, from which an interrupted study resumes. Each execution, a
+/// point with the numbers of one run, is one line with a checksum; lines that a crash left incomplete are ignored.
+/// Thread-safe.
 class Journal
 {
 public:
@@ -47,18 +34,18 @@ public:
     Journal(const std::string& path, const std::string& identity);
 
     /// Returns the result of an execution; nothing if it is not in the journal.
-    std::optional<Execution> find(const ExecutionKey& key) const;
+    std::optional<CurvePoint> find(const std::string& name) const;
 
     /// Records an execution and writes it into the file at once. Throws std::runtime_error if the file cannot be
     /// written.
-    void add(const ExecutionKey& key, const Execution& execution);
+    void add(const std::string& name, const CurvePoint& execution);
 
 private:
     void append(const std::string& line);
 
     mutable std::mutex mutex_;
-    std::map<std::string, Execution> executions_;
-    std::string path_; ///< empty: no file
+    std::map<std::string, CurvePoint> executions_; ///< by execution_name(); their `lines` are not set
+    std::string path_;                             ///< empty: no file
     std::ofstream file_;
 };
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -39,23 +38,35 @@ constexpr const char* label_grey = "#555555";
 
 const LineStyle reference_style = {line_grey, 1.2, "6 4"};
 
-/// One standard error to either side of a point; coordinates are decimal logarithms.
-struct ErrorBar
+struct Extent
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void include(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    bool empty() const { return !(low <= high); }
+};
+
+/// A point with one standard error to either side; coordinates are decimal logarithms.
+struct PlottedPoint
 {
     PlotPoint middle;
     double low; ///< minus infinity if the error reaches down to 0
     double high;
+    bool fitted; ///< the fit uses the point
 };
 
 /// The drawn parts of a curve; coordinates are decimal logarithms.
 struct PlottedCurve
 {
     MarkStyle style;
-    std::vector<PlotPoint> fitted; ///< points above the reference
-    std::vector<PlotPoint> others;
-    std::vector<ErrorBar> bars;  ///< one per point
-    std::optional<PowerLaw> law; ///< against the plot's abscissa
-    std::vector<PlotPoint> line; ///< the law over the range of the fitted points; empty without a law
+    std::vector<PlottedPoint> points;
+    std::optional<PowerLaw> law;      ///< against the plot's abscissa
+    std::vector<PlotPoint> line = {}; ///< the law over the range of the fitted points; empty without a law
 };
 
 /// Guides: two thin lines from one point with the slopes -1 (random lines) and -1.25 (the best of stratified sampling
@@ -89,49 +100,28 @@ std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
     return fit_power_law(xs, ys);
 }
 
-ErrorBar error_bar(PlotPoint middle, const CurvePoint& point)
-{
-    const double low = point.relative - point.relative_error;
-    return {middle, low > 0.0 ? elementary::log10(low) : -std::numeric_limits<double>::infinity(),
-            elementary::log10(point.relative + point.relative_error)};
-}
-
-std::vector<PlotPoint> law_line(const PowerLaw& law, const std::vector<PlotPoint>& fitted)
-{
-    const auto [first, last] =
-        std::minmax_element(fitted.begin(), fitted.end(), [](PlotPoint a, PlotPoint b) { return a.x < b.x; });
-    const auto at = [&](double x) { return PlotPoint{x, elementary::log10(law.factor) + law.exponent * x}; };
-    return {at(first->x), at(last->x)};
-}
-
 /// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
 PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
 {
-    PlottedCurve result{svg_series_mark(series), {}, {}, {}, law_of(curve, against), {}};
+    PlottedCurve result{svg_series_mark(series), {}, law_of(curve, against)};
+    Extent fitted; // across
     for (const CurvePoint& point : curve.points) {
         const double x = abscissa(point, against);
         if (!(x > 0.0 && point.relative > 0.0))
             continue;
-        const PlotPoint position = {elementary::log10(x), elementary::log10(point.relative)};
-        (point.above_reference ? result.fitted : result.others).push_back(position);
-        result.bars.push_back(error_bar(position, point));
+        const double low = point.relative - point.relative_error;
+        result.points.push_back({{elementary::log10(x), elementary::log10(point.relative)},
+                                 low > 0.0 ? elementary::log10(low) : -std::numeric_limits<double>::infinity(),
+                                 elementary::log10(point.relative + point.relative_error),
+                                 point.above_reference});
+        if (point.above_reference)
+            fitted.include(elementary::log10(x));
     }
-    if (result.law && !result.fitted.empty())
-        result.line = law_line(*result.law, result.fitted);
+    if (result.law && !fitted.empty())
+        for (const double x : {fitted.low, fitted.high})
+            result.line.push_back({x, elementary::log10(result.law->factor) + result.law->exponent * x});
     return result;
 }
-
-struct Extent
-{
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-
-    void include(double value)
-    {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
 
 /// Decimal logarithm of the error of the reference.
 std::optional<double> reference_level(const Study& study)
@@ -140,41 +130,46 @@ std::optional<double> reference_level(const Study& study)
     return square > 0.0 ? std::optional<double>(elementary::log10(square)) : std::nullopt;
 }
 
-/// The common left end of the guides: at the leftmost point, so high that the steeper guide passes above all points,
-/// but not more than about a decade above the highest.
-std::optional<PlotPoint> guides_begin(const std::vector<PlottedCurve>& curves)
+/// The ranges of the points with their error bars.
+struct Ranges
 {
     Extent across;
     Extent up;
-    Extent above_steeper;
+    Extent above_steeper; ///< height at x = 0 of a steeper guide through the upper end of a bar
+};
+
+Ranges ranges_of(const std::vector<PlottedCurve>& curves)
+{
+    Ranges ranges;
     for (const PlottedCurve& curve : curves)
-        for (const ErrorBar& bar : curve.bars) {
-            across.include(bar.middle.x);
-            up.include(bar.middle.y);
-            up.include(bar.high);
-            above_steeper.include(bar.high + guide_slopes.back() * bar.middle.x);
+        for (const PlottedPoint& point : curve.points) {
+            ranges.across.include(point.middle.x);
+            ranges.up.include(point.middle.y);
+            ranges.up.include(point.high);
+            ranges.above_steeper.include(point.high + guide_slopes.back() * point.middle.x);
         }
-    if (!(across.low <= across.high))
-        return {};
-    const double least = above_steeper.high - guide_slopes.back() * across.low;
-    const double distance = std::max(0.2, 0.08 * (up.high - up.low)); // [decades] leaves room for the labels
-    return PlotPoint{across.low, std::min(least, up.high + 1.0) + distance};
+    return ranges;
 }
 
-Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> reference, std::optional<PlotPoint> guides,
-             Abscissa against)
+/// The common left end of the guides: at the leftmost point, so high that the steeper guide passes above all points,
+/// but not more than about a decade above the highest. Nothing without points.
+std::optional<PlotPoint> guides_begin(const Ranges& ranges)
 {
-    Extent across;
-    Extent up;
-    for (const PlottedCurve& curve : curves) {
-        for (const ErrorBar& bar : curve.bars) {
-            across.include(bar.middle.x);
-            up.include(bar.middle.y);
-            up.include(bar.high);
-        }
+    if (ranges.across.empty())
+        return {};
+    const double left = ranges.across.low;
+    const double least = ranges.above_steeper.high - guide_slopes.back() * left;
+    const double room = std::max(0.2, 0.08 * (ranges.up.high - ranges.up.low)); // [decades] for the labels
+    return PlotPoint{left, std::min(least, ranges.up.high + 1.0) + room};
+}
+
+Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, std::optional<double> reference,
+             std::optional<PlotPoint> guides, Abscissa against)
+{
+    Extent& up = ranges.up;
+    for (const PlottedCurve& curve : curves)
         for (const PlotPoint end : curve.line)
             up.include(end.y);
-    }
     if (reference && *reference > up.low - 1.0 && *reference < up.high + 1.0)
         up.include(*reference);
     if (guides)
@@ -185,7 +180,7 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, std::optional<double> refe
             plot_width,
             plot_height,
             "",
-            log_axis(name, across.low, across.high),
+            log_axis(name, ranges.across.low, ranges.across.high),
             log_axis("relative mean square error", up.low, up.high),
             51.0};
 }
@@ -211,11 +206,13 @@ std::string guides_text(const Plot& plot, PlotPoint begin)
     return text;
 }
 
-std::vector<SvgPoint> positions(const Plot& plot, const std::vector<PlotPoint>& points)
+/// Positions of the points that the fit uses, or of the others.
+std::vector<SvgPoint> positions(const Plot& plot, const PlottedCurve& curve, bool fitted)
 {
     std::vector<SvgPoint> result;
-    for (const PlotPoint point : points)
-        result.push_back(plot.at(point));
+    for (const PlottedPoint& point : curve.points)
+        if (point.fitted == fitted)
+            result.push_back(plot.at(point.middle));
     return result;
 }
 
@@ -223,7 +220,7 @@ std::vector<SvgPoint> positions(const Plot& plot, const std::vector<PlotPoint>& 
 std::vector<VerticalBar> visible_bars(const Plot& plot, const PlottedCurve& curve)
 {
     std::vector<VerticalBar> bars;
-    for (const ErrorBar& bar : curve.bars) {
+    for (const PlottedPoint& bar : curve.points) {
         const auto [x, y] = plot.at(bar.middle);
         const double top = plot.at({bar.middle.x, bar.high}).y;
         const double bottom = std::min(plot.at({bar.middle.x, bar.low}).y, plot.top + plot.height);
@@ -240,13 +237,22 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
     std::string marks;
     for (const PlottedCurve& curve : curves) {
         const std::string& colour = curve.style.colour;
-        lines += curve.law ? svg_polyline(positions(plot, curve.line), {colour, 1.2})
-                           : svg_polyline(positions(plot, curve.fitted), {colour, 1.2, "1 3"});
+        if (!curve.law)
+            lines += svg_polyline(positions(plot, curve, true), {colour, 1.2, "1 3"});
+        else if (!curve.line.empty())
+            lines += svg_polyline({plot.at(curve.line.front()), plot.at(curve.line.back())}, {colour, 1.2});
         lines += svg_bars(visible_bars(plot, curve), {colour, 1.2});
-        marks += svg_marks(positions(plot, curve.others), curve.style, true) +
-                 svg_marks(positions(plot, curve.fitted), curve.style, false);
+        marks += svg_marks(positions(plot, curve, false), curve.style, true) +
+                 svg_marks(positions(plot, curve, true), curve.style, false);
     }
     return lines + marks;
+}
+
+/// True if the fit uses all points, or none.
+bool are_all(const PlottedCurve& curve, bool fitted)
+{
+    return std::all_of(curve.points.begin(), curve.points.end(),
+                       [&](const PlottedPoint& point) { return point.fitted == fitted; });
 }
 
 /// Notes that explain the symbols of the plot.
@@ -261,30 +267,9 @@ std::vector<std::string> notes_of(const Study& study, const std::vector<PlottedC
     std::vector<std::string> notes = {note};
     if (any([](const PlottedCurve& curve) { return !curve.law.has_value(); }))
         notes.push_back("No slope: the points are too few or too close.");
-    if (any([](const PlottedCurve& curve) { return !curve.others.empty(); }))
+    if (any([](const PlottedCurve& curve) { return !are_all(curve, true); }))
         notes.push_back("Hollow: the reference's own error is not small beside it; left out of the fit.");
     return notes;
-}
-
-std::string notes_text(const std::vector<std::string>& notes, double top)
-{
-    std::string text;
-    for (std::size_t k = 0; k < notes.size(); ++k)
-        text += svg_text(legend_left, top + note_height * (static_cast<double>(k) + 0.8), notes[k], SvgAnchor::start,
-                         11.0, "#555555");
-    return text;
-}
-
-/// Draws everything inside the frame.
-std::string plot_text(const Plot& plot, const std::vector<PlottedCurve>& curves, std::optional<PlotPoint> guides,
-                      std::optional<double> reference)
-{
-    std::string text = svg_grid(plot);
-    if (reference) {
-        const double y = plot.at({0.0, *reference}).y;
-        text += svg_polyline({{plot.left, y}, {plot.left + plot.width, y}}, reference_style);
-    }
-    return text + (guides ? guides_text(plot, *guides) : "") + curves_text(plot, curves);
 }
 
 /// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
@@ -314,7 +299,7 @@ std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vect
         const PlottedCurve& curve = curves[k];
         text += (curve.law ? line({curve.style.colour, 1.2}) : "") +
                 svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style,
-                          curve.fitted.empty() && !curve.others.empty()) +
+                          are_all(curve, false) && !curve.points.empty()) +
                 svg_text(label_x, y, labels[k], SvgAnchor::start) +
                 svg_text(slope_x, y, slope_text(curve.law), SvgAnchor::start);
     }
@@ -334,19 +319,30 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
         curves.push_back(plotted_curve(curve, against, curves.size()));
         labels.push_back(curve_label(study, curve));
     }
-    const std::optional<PlotPoint> guides = guides_begin(curves);
+    const Ranges ranges = ranges_of(curves);
+    const std::optional<PlotPoint> guides = guides_begin(ranges);
     std::optional<double> reference = reference_level(study);
-    const Plot plot = plot_of(curves, reference, guides, against);
+    const Plot plot = plot_of(curves, ranges, reference, guides, against);
     if (reference && !(*reference > plot.up.low && *reference < plot.up.high))
         reference.reset();
     const std::vector<std::string> notes = notes_of(study, curves);
-    const double notes_top = legend_top + row_height * static_cast<double>(curves.size() + (reference ? 1 : 0)) + 6.0;
-    const double height = notes_top + note_height * static_cast<double>(notes.size()) + 8.0;
+    double note_y = legend_top + row_height * static_cast<double>(curves.size() + (reference ? 1 : 0)) + 6.0;
+    const double height = note_y + note_height * static_cast<double>(notes.size()) + 8.0;
     const double title_size = std::clamp(1.6 * plot_drawing_width / static_cast<double>(title.size() + 1), 8.0, 15.0);
-    return svg_head(plot_drawing_width, height, title, comments) +
-           svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) +
-           plot_text(plot, curves, guides, reference) + svg_axes(plot) +
-           legend_text(curves, labels, reference.has_value()) + notes_text(notes, notes_top) + svg_end();
+    std::string text = svg_head(plot_drawing_width, height, title, comments) +
+                       svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) + svg_grid(plot);
+    if (reference) {
+        const double y = plot.at({0.0, *reference}).y;
+        text += svg_polyline({{plot.left, y}, {plot.left + plot.width, y}}, reference_style);
+    }
+    if (guides)
+        text += guides_text(plot, *guides);
+    text += curves_text(plot, curves) + svg_axes(plot) + legend_text(curves, labels, reference.has_value());
+    for (const std::string& note : notes) {
+        text += svg_text(legend_left, note_y + 0.8 * note_height, note, SvgAnchor::start, 11.0, label_grey);
+        note_y += note_height;
+    }
+    return text + svg_end();
 }
 
 } // namespace multipath

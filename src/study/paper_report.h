@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace multipath {
@@ -18,23 +17,8 @@ namespace multipath {
 // A report of text, tables and figures, written as one self-contained HTML file or as Markdown that refers to the files
 // of the figures. In headings, paragraphs, cells and captions `...` is code and *...* is emphasis.
 
-struct ReportHeading
-{
-    int level = 2; ///< 1 for the title, 2 for a section
-    std::string text;
-};
-
-struct ReportParagraph
-{
-    std::string text;
-};
-
-/// A table. Every row must have as many cells as the header.
-struct ReportTable
-{
-    std::vector<std::string> header;
-    std::vector<std::vector<std::string>> rows;
-};
+/// Rows of cells, the first of which is the header. All have the same number of cells.
+using ReportTable = std::vector<std::vector<std::string>>;
 
 struct ReportFigure
 {
@@ -43,13 +27,15 @@ struct ReportFigure
     std::string command; ///< command line that made the file
 };
 
-/// Figures side by side, as many in a row as fit into the width of the page.
-struct ReportFigures
+/// A heading, a paragraph, a table, or figures.
+struct ReportBlock
 {
-    std::vector<ReportFigure> figures;
+    int heading = 0; ///< level of the heading: 1 for the title, 2 for a section; 0 for a paragraph
+    std::string text = {};
+    ReportTable table = {};
+    std::vector<ReportFigure> figures = {}; ///< side by side, as many in a row as fit into the width of the page
 };
 
-using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportTable, ReportFigures>;
 using Report = std::vector<ReportBlock>;
 
 /// Formats the report as a self-contained HTML page. `folder` is the folder that holds the files of the figures. The
@@ -73,19 +59,15 @@ constexpr std::array<PublishedSlope, 3> published_slopes = {
     {{"halton:2,7,3,5", -1.098, -0.998}, {"halton:11,13,17,19", -0.844, -1.113}, {"sobol", -1.102, -1.122}}};
 
 /// Section 4.2: the arguments and the result of formula (3), the ratio of local to global lines (docs/equations.md).
-/// All numbers are without a unit.
 struct PublishedBudget
 {
-    double average_reflectance;   ///< R_ave: mean over the scene
-    double secondary_reflectance; ///< R_s': mean over the surfaces that the lamp lights
-    double lit_fraction;          ///< f: share of the area that the lamp lights
-    double intersections;         ///< n_int: mean number of surfaces crossed by a line through the convex hull
-    double ratio;                 ///< N_l / N_g
+    BudgetFigures figures;
+    double ratio; ///< [1] N_l / N_g
 };
 
-constexpr PublishedBudget published_up = {0.577, 0.7, 0.073, 2.1, 0.41};       ///< first shot, lamp shines upwards
-constexpr PublishedBudget published_down = {0.577, 0.65, 0.67, 2.1, 0.85};     ///< first shot, lamp shines downwards
-constexpr PublishedBudget published_extended = {0.577, 0.577, 1.0, 2.1, 1.06}; ///< extended first shot, up or down
+constexpr PublishedBudget published_up = {{2.1, 0.577, 0.7, 0.073}, 0.41};       ///< first shot, lamp shines upwards
+constexpr PublishedBudget published_down = {{2.1, 0.577, 0.65, 0.67}, 0.85};     ///< first shot, lamp shines downwards
+constexpr PublishedBudget published_extended = {{2.1, 0.577, 0.577, 1.0}, 1.06}; ///< extended first shot, up or down
 
 /// The numbers that the program measures for one scene.
 struct SceneFindings
@@ -129,14 +111,13 @@ struct Claim
     std::string expected; ///< what the paper reports
     std::string found;    ///< what the program measured
     Verdict verdict = Verdict::differs;
-    std::string remark; ///< explanation for the report; may be empty
 };
 
 /// Judges the statements of the paper, in the order of the paper. Throws std::out_of_range if a study or curve is
 /// missing, and std::bad_optional_access if a scene has no ratio (3).
 std::vector<Claim> paper_claims(const PaperFindings& findings);
 
-/// Formats claims for a terminal, without their remarks.
+/// Formats claims for a terminal.
 std::string claims_text(const std::vector<Claim>& claims);
 
 /// Writes the report of the reproduction: the statements of the paper beside the results, then every table and figure

@@ -220,8 +220,8 @@ TEST_CASE("a slope differs only if its interval excludes what is expected")
 
 TEST_CASE("for a terminal every statement has its verdict, what was found and what the paper says")
 {
-    const std::vector<Claim> claims = {{"Lines cross", "often", "always", Verdict::undecided, "a remark"},
-                                       {"Points fill", "evenly", "so", Verdict::holds, ""}};
+    const std::vector<Claim> claims = {{"Lines cross", "often", "always", Verdict::undecided},
+                                       {"Points fill", "evenly", "so", Verdict::holds}};
     CHECK(claims_text(claims) == "undecided  Lines cross\n"
                                  "           always (paper: often)\n"
                                  "holds      Points fill\n"
