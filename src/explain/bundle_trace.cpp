@@ -1,12 +1,10 @@
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "explain/first_stage_run.h"
 #include "explain/stage_trace.h"
 #include "explain/trace_lines.h"
 #include "explain/words.h"
 #include "radiosity/family/stochastic_jacobi.h"
 #include "radiosity/family/transillumination.h"
-#include "radiosity/run/item_plan.h"
 
 #include <algorithm>
 
@@ -71,24 +69,20 @@ void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
 
 StageTrace trace_bundle(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds(), chords_of(options));
-    PowerState state(scene);
-    const FirstStageRun before = run_first_stage(scene, *sequence, lines, options, state);
-    const ItemPlan items = plan_items(*sequence, options.skip, 0, before.lines_cast);
-    const TransilluminationOptions bundles{items.first_shot + before.local_lines, before.lines_charged, options.bundle,
-                                           options.seed};
-    const PowerState start = state;
-    const std::uint64_t rays = estimate_by_rays(scene, *sequence, bundles, {options.threads}, state);
-    const JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
-    const BundlePlan plan = plan_bundles(bundles, rays);
+    Run run(scene, options);
+    options.method->stages.front()(run); // the first shot
+    run.plan_global_lines();
+    const PowerState start = run.state;
+    const std::uint64_t rays = estimate_by_rays(run);
+    const JacobiIterations iterations(scene, start, run.state, static_cast<double>(rays));
+    const BundlePlan plan = plan_bundles(run, rays);
     const std::uint64_t directions = directions_of(plan, iterations);
-    const std::uint64_t item = bundles.first_item + rays;
-    const Item numbers = sequence->item(item);
+    const std::uint64_t item = run.first_local_item() + rays;
+    const Item numbers = run.sequence->item(item);
     const Bundle bundle(scene.bounds(), numbers, plan.bundle);
     require_in_stage(range, bundle.count(), "lines along the first direction");
 
-    StageTrace trace = bundle_stage(before.local_lines, rays, plan.bundle, directions, bundle);
+    StageTrace trace = bundle_stage(run.solution.local_lines, rays, plan.bundle, directions, bundle);
     const std::vector<Rgb> power = iterations.power();
     const auto sent = [&](std::uint32_t patch) {
         return power_along_line((1.0 / scene.area(patch)) * power[patch], bundle.section(), directions);

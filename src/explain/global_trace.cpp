@@ -94,7 +94,7 @@ void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, Po
         sends(segment.from, segment.to);
     if (Segment::is_patch(segment.to) && bidirectional)
         sends(segment.to, segment.from);
-    walk.follow(segment);
+    walk.follow({segment});
 
     const std::string number = segment_number(line, after) + "  ";
     if (transfers.empty())

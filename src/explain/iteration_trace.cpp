@@ -5,8 +5,6 @@
 #include "explain/words.h"
 #include "radiosity/family/stochastic_jacobi.h"
 
-#include <algorithm>
-
 namespace multipath {
 
 namespace {
@@ -53,23 +51,16 @@ StageTrace iteration_stage(std::uint64_t series_rays, std::uint64_t rays, bool b
 
 StageTrace trace_iteration(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
-    PowerState state(scene);
-    const std::uint64_t before = send_series(
-        scene, *sequence, series_before_iterations(first_item, options.lines, options.bidirectional, options.seed),
-        {options.threads}, state);
-    const JacobiOptions jacobi{first_item + before,   before,       options.lines - std::min(options.lines, before),
-                               options.bidirectional, options.seed, options.importance.get()};
-    if (jacobi.lines == 0)
+    Run run(scene, options);
+    ray_series(run);
+    if (run.lines_left() == 0)
         throw SettingsError("this run has too few lines for an iteration");
-    const IterationTrace iteration =
-        trace_first_iteration(scene, *sequence, jacobi, state, range.first, range.count, options.threads);
+    const IterationTrace iteration = trace_first_iteration(run, range.first, range.count);
     require_in_stage(range, iteration.ray_count, "rays");
-    StageTrace trace = iteration_stage(before, iteration.ray_count, options.bidirectional);
+    StageTrace trace = iteration_stage(run.solution.local_lines, iteration.ray_count, options.bidirectional);
     for (const IterationRay& ray : iteration.rays)
         trace.lines.push_back(
-            trace_ray(scene, {range.first + trace.lines.size(), ray.item, sequence->item(ray.item)}, ray));
+            trace_ray(scene, {range.first + trace.lines.size(), ray.item, run.sequence->item(ray.item)}, ray));
     return trace;
 }
 

@@ -49,7 +49,7 @@ void trace_paths(const Scene& scene, const SolveOptions& options, const Particle
         TracedLine path;
         path.origin = {n, first_item + n, sequence->item(first_item + n)};
         ParticlePaths paths;
-        particles.follow(n, {path.origin.numbers}, paths);
+        particles.follow(*sequence, first_item, n, 1, paths);
         for (const ParticleStep& step : paths.steps) {
             const std::string ends = append_step(scene, step, path.notes.size() + 1, path);
             path.notes.push_back(ends + carried(step, paths.steps.front().from, path));
@@ -91,10 +91,7 @@ StageTrace trace_particles(const Scene& scene, const SolveOptions& options, cons
 
 StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
-    const Particles walks =
-        first_walks(scene, {options.lines, options.estimator, first_item, options.seed}, options.threads);
+    const Particles walks = first_walks(Run(scene, options));
     require_in_stage(range, walks.count(), "walks");
     StageTrace trace;
     trace.title = "Gathering random walks";

@@ -33,23 +33,26 @@ StageTrace trace_all(const Scene& scene, const SolveOptions& options)
 TEST_CASE("the traced rays of the first iteration carry what the solver adds")
 {
     const Scene scene = coloured_room();
-    const auto sequence = make_sequence("sobol", 1);
     for (const bool bidirectional : {true, false}) {
-        PowerState series(scene);
-        const std::uint64_t before =
-            send_series(scene, *sequence, series_before_iterations(0, 1u << 14, bidirectional, 1), {1}, series);
-        const JacobiOptions options{before, before, before + before / 2, bidirectional, 1};
-        const std::uint64_t count = trace_first_iteration(scene, *sequence, options, series, 0, 1, 1).ray_count;
-        const IterationTrace trace = trace_first_iteration(scene, *sequence, options, series, 0, count, 1);
+        SolveOptions options = run(bidirectional);
+        Run solver(scene, options);
+        ray_series(solver);
+        const std::uint64_t before = solver.solution.local_lines;
+        const std::uint64_t lines = before + before / 2; // of the only iteration
+        options.lines = before + lines;
+        const PowerState series = solver.state;
+        const std::uint64_t count = trace_first_iteration(solver, 0, 1).ray_count;
+        const IterationTrace trace = trace_first_iteration(solver, 0, count);
         REQUIRE(trace.rays.size() == count);
         std::vector<Rgb> incident(scene.patch_count()); // the room is closed
         for (const IterationRay& ray : trace.rays) {
             incident[ray.to] += ray.sent;
             incident[ray.from] += ray.returned;
         }
-        PowerState state = series;
-        CHECK(iterate_by_rays(scene, *sequence, options, {1}, state) == count);
-        const double weight = static_cast<double>(options.lines) / static_cast<double>(before + options.lines);
+        ray_iterations(solver);
+        CHECK(solver.solution.local_lines == before + count);
+        const PowerState& state = solver.state;
+        const double weight = static_cast<double>(lines) / static_cast<double>(before + lines);
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
             const Rgb expected = (1.0 - weight) * series.incident[i] + weight * incident[i];
             CHECK(expected.r == doctest::Approx(state.incident[i].r).epsilon(1e-12));

@@ -60,9 +60,10 @@ TEST_CASE("a path goes from patch to patch as long as the number drawn is below 
     const Scene scene = coloured_room();
     const SolveOptions options = short_run(Estimator::collision);
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
+    const auto sequence = make_sequence(options.sequence, options.seed);
     for (const TracedLine& particle : tell_all(scene, options).lines) {
         ParticlePaths paths; // the solver's
-        particles.follow(particle.origin.number, {particle.origin.numbers}, paths);
+        particles.follow(*sequence, 0, particle.origin.number, 1, paths);
         REQUIRE(paths.steps.size() == particle.transfers.size());
         REQUIRE(particle.notes.size() == particle.transfers.size());
         REQUIRE(particle.crossings.size() == particle.transfers.size());

@@ -58,12 +58,13 @@ TEST_CASE("a walk adds light only where it meets a source, and starts with its o
 {
     const Scene scene = coloured_room();
     const SolveOptions options = short_run(Estimator::collision);
-    const Particles walks = first_walks(scene, {options.lines, options.estimator, 0, options.seed}, options.threads);
+    const Run run(scene, options);
+    const Particles walks = first_walks(run);
     std::size_t adding = 0;
     for (const TracedLine& walk : trace_all(scene, options).lines) {
         CHECK(walk.origin.item == walk.origin.number);
         ParticlePaths paths; // the solver's
-        walks.follow(walk.origin.number, {walk.origin.numbers}, paths);
+        walks.follow(*run.sequence, 0, walk.origin.number, 1, paths);
         CHECK(paths.steps.front().item == walk.origin.numbers);
         std::size_t on_source = 0;
         for (const Crossing& crossing : walk.crossings) // the room is closed

@@ -1,7 +1,7 @@
 // A gathering walk is traced like a particle (Particles), but from the receiver. It starts with a weight instead of a
 // power: the inverse of the number of walks of its patch. At each patch that it meets, the emittance there times the
 // weight is added to the irradiance of the first patch. The walks are cast in rounds over all patches, so that a run
-// that is stopped has sampled all patches.
+// that is stopped has sampled all patches alike.
 
 #include "radiosity/family/gathering_walk.h"
 
@@ -39,7 +39,7 @@ std::vector<Shot> plan_walks(const Scene& scene, std::uint64_t walks, double off
     return shots;
 }
 
-/// Number of rounds. Each covers all patches, so that a run which is stopped has sampled all patches about equally.
+/// Number of rounds.
 std::uint64_t count_rounds(const Scene& scene, std::uint64_t lines)
 {
     constexpr std::uint64_t most = 16;
@@ -56,81 +56,33 @@ double rounding_offset(std::uint64_t round)
     return sum - std::floor(sum);
 }
 
-/// Walks from all patches that cast about the lines of one round.
-std::vector<Shot> plan_first_round(const Scene& scene, const LocalOptions& options, int threads)
+Particles walks_of_round(const Run& run, const std::vector<Shot>& shots, std::uint64_t round)
 {
-    const auto shots = [&](std::uint64_t walks) { return plan_walks(scene, walks, rounding_offset(0)); };
-    return plan_particles(scene, shots, options.lines / count_rounds(scene, options.lines), options.seed, threads)
-        .shots();
+    return {run.scene, shots, mix_bits(mix_bits(run.options.seed) + round)};
 }
 
-Particles walks_of_round(const Scene& scene, const std::vector<Shot>& shots, std::uint64_t seed, std::uint64_t round)
-{
-    return {scene, shots, mix_bits(mix_bits(seed) + round)};
-}
-
-/// Sums over the walks of each patch.
+/// Sums over the walks of a patch.
 struct Gathered
 {
-    explicit Gathered(const Scene& scene)
-        : irradiance(scene.patch_count()), outside(scene.patch_count()), behind(scene.patch_count())
-    {
-    }
-
-    /// Adds a path, whose first segment leaves the receiver.
-    void add(const Scene& scene, const ParticleStep* first, const ParticleStep* end, Estimator estimator)
-    {
-        const std::uint32_t patch = first->from;
-        if (!Segment::is_patch(first->where))
-            (first->where == Segment::outside ? outside : behind)[patch] += first->power.r;
-        for (const ParticleStep* step = first; step != end; ++step)
-            irradiance[patch] += gathered_irradiance(scene, *step, estimator);
-    }
-
-    void visit(Archive& archive) ///< for a checkpoint
-    {
-        archive.list<double>("irradiance", irradiance);
-        archive.list<double>("outside", outside);
-        archive.list<double>("behind", behind);
-    }
-
-    std::vector<Rgb> irradiance; ///< [W/m^2]
-    std::vector<double> outside; ///< [1] fraction of the rays that leave the scene
-    std::vector<double> behind;  ///< [1] fraction of the rays that meet a side without a patch
+    Rgb irradiance;       ///< [W/m^2]
+    double outside = 0.0; ///< [1] fraction of the rays that leave the scene
+    double behind = 0.0;  ///< [1] fraction of the rays that meet a side without a patch
 };
 
-/// Number of rounds in which each patch was sampled: `whole` rounds, and a fraction of one with walks_done walks.
-std::vector<double> rounds_of_patches(const Scene& scene, std::uint64_t whole, const std::vector<Shot>& shots,
-                                      std::uint64_t walks_done)
-{
-    std::vector<double> rounds(scene.patch_count(), static_cast<double>(whole));
-    std::uint32_t next = 0; // patch
-    for (const Shot& shot : shots) {
-        if (walks_done == 0)
-            break;
-        for (; next < shot.patch; ++next)
-            rounds[next] += 1.0;
-        const std::uint64_t done = std::min(walks_done, shot.rays);
-        rounds[next++] += static_cast<double>(done) / static_cast<double>(shot.rays);
-        walks_done -= done;
-    }
-    return rounds;
-}
-
-/// Adds the gathered light to the state, as the mean over the rounds of each patch, and closes the balance.
-void take_gathered(const Scene& scene, const Gathered& gathered, const std::vector<double>& rounds, PowerState& state)
+/// Adds the gathered light to the state, as the mean over the rounds, and closes the balance.
+void take_gathered(const Scene& scene, const std::vector<Gathered>& gathered, double rounds, PowerState& state)
 {
     Rgb absorbed;
     Rgb escaped;
     Rgb behind;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double area = scene.area(i);
-        state.incident[i] += (area / rounds[i]) * gathered.irradiance[i];
+        state.incident[i] += (area / rounds) * gathered[i].irradiance;
         state.unshot[i] = {};
         absorbed += (Rgb{1.0, 1.0, 1.0} - scene.reflectance(i)) * state.incident[i];
         const Rgb sent = area * scene.emittance(i) + scene.reflectance(i) * state.incident[i];
-        escaped += (gathered.outside[i] / rounds[i]) * sent;
-        behind += (gathered.behind[i] / rounds[i]) * sent;
+        escaped += (gathered[i].outside / rounds) * sent;
+        behind += (gathered[i].behind / rounds) * sent;
     }
     settle_losses(state.emitted, absorbed, escaped, behind, state);
 }
@@ -138,30 +90,33 @@ void take_gathered(const Scene& scene, const Gathered& gathered, const std::vect
 /// The walks of one round.
 struct WalkStage
 {
-    using Block = ParticleBlock;
+    using Block = ParticlePaths;
 
     Blocks lines() const { return {walks.count(), particles_together(scene)}; }
-    void trace(std::uint64_t number, ParticleBlock& block) const
+    void trace(std::uint64_t number, ParticlePaths& block) const
     {
-        block.follow(walks, sequence, first_item, lines(), number);
+        walks.follow(sequence, first_item, lines().first(number), lines().length(number), block);
     }
-    std::uint64_t take(std::uint64_t, const ParticleBlock& block)
+    std::uint64_t take(std::uint64_t, const ParticlePaths& block)
     {
-        const std::vector<ParticleStep>& steps = block.paths.steps;
-        for (std::size_t first = 0; first < steps.size();) {
-            std::size_t last = first;
-            while (!steps[last].ends())
-                ++last;
-            gathered.add(scene, &steps[first], &steps[last] + 1, estimator);
-            first = last + 1;
+        std::uint32_t patch = 0; // where the present walk started
+        bool starts = true;
+        for (const ParticleStep& step : block.steps) {
+            if (starts) {
+                patch = step.from;
+                gathered[patch].outside += step.where == Segment::outside ? step.power.r : 0.0;
+                gathered[patch].behind += step.where == Segment::behind ? step.power.r : 0.0;
+            }
+            gathered[patch].irradiance += gathered_irradiance(scene, step, estimator);
+            starts = step.ends();
         }
-        segments += steps.size();
-        return steps.size();
+        segments += block.steps.size();
+        return block.steps.size();
     }
     void visit(Archive& archive)
     {
         archive.value<std::uint64_t>("segments", segments);
-        gathered.visit(archive);
+        archive.list<double>("gathered", gathered);
     }
 
     const Scene& scene;
@@ -169,8 +124,8 @@ struct WalkStage
     const std::uint64_t first_item;
     const Estimator estimator;
     const Particles walks;
-    Gathered& gathered;      ///< in all rounds
-    std::uint64_t& segments; ///< in all rounds
+    std::vector<Gathered> gathered; ///< per patch, in all rounds so far
+    std::uint64_t segments;         ///< in all rounds so far
 };
 
 } // namespace
@@ -181,46 +136,49 @@ Rgb gathered_irradiance(const Scene& scene, const ParticleStep& step, Estimator 
                                          : Rgb{}; // (W1)
 }
 
-Particles first_walks(const Scene& scene, const LocalOptions& options, int threads)
+Particles first_walks(const Run& run)
 {
-    return walks_of_round(scene, plan_first_round(scene, options, threads), options.seed, 0);
+    const auto shots = [&](std::uint64_t walks) { return plan_walks(run.scene, walks, rounding_offset(0)); };
+    const std::uint64_t lines = run.options.lines / count_rounds(run.scene, run.options.lines);
+    return walks_of_round(run, plan_particles(run.scene, shots, lines, run.options.seed, run.options.threads).shots(),
+                          0);
 }
 
-GatheringResult gather_by_walks(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
-                                const RunControl& run, PowerState& state)
+void gather_by_walks(Run& run)
 {
-    const std::uint64_t rounds = count_rounds(scene, options.lines);
-    const std::uint64_t walks_per_round = rays_of(plan_first_round(scene, options, run.threads)).rays();
-    Gathered gathered(scene);
+    const Scene& scene = run.scene;
+    const RunControl control = run.control(1, 1);
+    const std::uint64_t rounds = count_rounds(scene, run.options.lines);
+    const std::uint64_t walks_per_round = first_walks(run).count();
+    std::vector<Gathered> gathered(scene.patch_count()); // in the finished rounds
+    std::uint64_t segments = 0;                          // in the finished rounds
     std::uint64_t round = 0;
     std::uint64_t first_walk = 0; // of the current round
-    std::uint64_t segments = 0;
-    const Checkpoint::Part part(run.checkpoint, "rounds of walks", [&](Archive& archive) {
+    const Checkpoint::Part part(control.checkpoint, "rounds of walks", [&](Archive& archive) {
         archive.value<std::uint64_t>("round", round);
         archive.value<std::uint64_t>("first walk", first_walk);
         archive.value<std::uint64_t>("segments", segments);
-        gathered.visit(archive);
+        archive.list<double>("gathered", gathered);
     });
-    std::vector<Shot> shots;
-    std::uint64_t done = 0; // walks of the unfinished round
     for (; round < rounds; ++round) {
-        shots = plan_walks(scene, walks_per_round, rounding_offset(round));
+        const std::vector<Shot> shots = plan_walks(scene, walks_per_round, rounding_offset(round));
         WalkStage stage{scene,
-                        sequence,
-                        options.first_item + first_walk,
-                        options.estimator,
-                        walks_of_round(scene, shots, options.seed, round),
+                        *run.sequence,
+                        run.first_local_item() + first_walk,
+                        run.options.estimator,
+                        walks_of_round(run, shots, round),
                         gathered,
                         segments};
-        done = run_stage("walks", stage, run); // (W1)
-        if (done < stage.walks.count())
+        if (run_stage("walks", stage, control) < stage.walks.count()) // (W1)
             break;
-        first_walk += done;
-        done = 0;
+        gathered = std::move(stage.gathered);
+        segments = stage.segments;
+        first_walk += stage.walks.count();
     }
-    if (round > 0)
-        take_gathered(scene, gathered, rounds_of_patches(scene, round, shots, done), state);
-    return {segments, round > 0};
+    run.solved = round > 0;
+    if (run.solved)
+        take_gathered(scene, gathered, static_cast<double>(round), run.state);
+    run.solution.local_lines += segments;
 }
 
 } // namespace multipath

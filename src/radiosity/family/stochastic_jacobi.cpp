@@ -1,6 +1,6 @@
 // Both algorithms cast rays from all patches in proportion to the power that they send, and differ in what they send:
-// send_series() the unshot power, pass by pass, iterate_by_rays() all power in every iteration. RayPlan distributes all
-// rays over the patches, SentRays are those of one pass or iteration, and RayIterations traces them.
+// send_series() the unshot power, pass by pass, ray_iterations() all power in every iteration. RayPlan distributes all
+// rays over the patches, and RayStage traces those of one pass or iteration.
 
 #include "radiosity/family/stochastic_jacobi.h"
 
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace multipath {
 
@@ -155,94 +154,112 @@ void favour(const Scene& scene, const Importance& importance, const std::vector<
     mix(shares, towards, 0.9);
 }
 
-/// Distribution of the rays of all iterations over the patches. Every patch has its own range of consecutive items, so
-/// that its rays in all iterations together are evenly spread.
-class RayPlan
+/// The rays of a patch in all iterations. They have consecutive items, so that together they are evenly spread.
+struct PlannedRays
 {
-public:
-    RayPlan(const std::vector<double>& shares, double rays, double offset)
-    {
-        double before = offset;
-        for (const double share : shares) {
-            expected_.push_back(rays * share);
-            offset_.push_back(before - std::floor(before));
-            first_item_.push_back(whole_part(before));
-            before += expected_.back();
-        }
-    }
+    double expected;
+    double offset; ///< of the rounding, uniform in [0, 1)
+    std::uint64_t first_item;
 
-    double expected(std::uint32_t patch) const { return expected_[patch]; }
-    std::uint64_t first_item(std::uint32_t patch) const { return first_item_[patch]; }
-
-    /// Number of a patch's rays in the first fraction `part` of all iterations, by systematic sampling in time.
-    std::uint64_t rays_before(std::uint32_t patch, double part) const
-    {
-        return whole_part(offset_[patch] + part * expected_[patch]);
-    }
-
-private:
-    std::vector<double> expected_;
-    std::vector<double> offset_; ///< offset of the rounding, uniform in [0, 1)
-    std::vector<std::uint64_t> first_item_;
+    /// Number of the rays in the first fraction `part` of all iterations, by systematic sampling in time.
+    std::uint64_t before(double part) const { return whole_part(offset + part * expected); }
 };
+
+using RayPlan = std::vector<PlannedRays>; ///< per patch
+
+/// Distributes the rays of all iterations over the patches by systematic sampling that starts at `offset`.
+RayPlan plan_rays(const std::vector<double>& shares, double rays, double offset)
+{
+    RayPlan plan;
+    double before = offset;
+    for (const double share : shares) {
+        plan.push_back({rays * share, before - std::floor(before), whole_part(before)});
+        before += rays * share;
+    }
+    return plan;
+}
 
 /// What a patch sends: its radiosity, and the density of the rays that leave it.
 struct Sender
 {
-    Rgb radiosity;        ///< [W/m^2]
-    double density = 0.0; ///< [1/m^2]
-    bool is_rare = false; ///< casts less than one ray an iteration on the mean, of several iterations
+    Rgb radiosity;            ///< [W/m^2]
+    double density = 0.0;     ///< [1/m^2]
+    bool is_rare = false;     ///< casts less than one ray an iteration on the mean, of several iterations
+    std::uint64_t first_item; ///< of its rays, counted from the first item of the iterations
 };
 
-/// The rays of one iteration: those of the plan between the fractions `part` and `end_part`.
-class SentRays
+/// The rays of a pass or iteration, and the power that they have carried.
+struct RayStage
 {
-public:
-    SentRays(const Scene& scene, const RayPlan& plan, const std::vector<Rgb>& power, double part, double end_part)
-        : first_item_(power.size()), senders_(power.size())
+    struct Block
+    {
+        RayBlock rays;
+        std::vector<Item> items; ///< of one patch
+    };
+
+    /// The rays of the plan between the fractions `part` and `end_part`. `power` [W]: what each patch sends.
+    RayStage(const Run& run, std::uint64_t first, bool both_ways, const RayPlan& plan, const std::vector<Rgb>& power,
+             double part, double end_part)
+        : scene(run.scene),
+          sequence(*run.sequence),
+          first_item(first),
+          bidirectional(both_ways),
+          transfer(TransportEstimate::none(run.scene))
     {
         for (std::uint32_t i = 0; i < power.size(); ++i) {
-            const std::uint64_t before = plan.rays_before(i, part);
-            const std::uint64_t rays = plan.rays_before(i, end_part) - before;
+            const std::uint64_t before = plan[i].before(part);
+            const std::uint64_t count = plan[i].before(end_part) - before;
             // A patch with less than one ray on the average weights it by the expected number.
-            const double expected = (end_part - part) * plan.expected(i);
-            first_item_[i] = plan.first_item(i) + before;
-            rays_.append(rays);
-            senders_[i] = {(1.0 / scene.area(i)) * power[i],
-                           (expected < 1.0 ? expected : static_cast<double>(rays)) / scene.area(i),
-                           expected < 1.0 && end_part - part < 1.0};
+            const double expected = (end_part - part) * plan[i].expected;
+            rays.append(count);
+            senders.push_back({(1.0 / scene.area(i)) * power[i],
+                               (expected < 1.0 ? expected : static_cast<double>(count)) / scene.area(i),
+                               expected < 1.0 && end_part - part < 1.0, plan[i].first_item + before});
         }
     }
 
-    std::uint64_t count() const { return rays_.rays(); }
-    const Sender& sender(std::uint32_t patch) const { return senders_[patch]; }
-
-    /// Item of a ray, counted from the first item of the iterations.
-    std::uint64_t item(std::uint64_t ray) const { return item(rays_.recipient_of(ray), ray); }
-
-    /// Puts the rays first ... first + count - 1 into the block. `of_patch` is a reusable buffer.
-    void fill(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
-              std::vector<Item>& of_patch, RayBlock& block) const
+    Blocks lines() const { return {rays.rays(), rays_together}; }
+    void trace(std::uint64_t number, Block& block) const
     {
-        block.patches.clear();
-        block.items.clear();
-        rays_.for_range(first, count, [&](std::uint32_t patch, std::uint64_t ray, std::size_t number) {
-            of_patch.resize(number);
-            sequence.generate(first_item + item(patch, ray), of_patch);
-            block.patches.insert(block.patches.end(), number, patch);
-            block.items.insert(block.items.end(), of_patch.begin(), of_patch.end());
-        });
+        trace_range(lines().first(number), lines().length(number), block);
     }
+    void trace_range(std::uint64_t first, std::uint64_t count, Block& block) const
+    {
+        block.rays.patches.clear();
+        block.rays.items.clear();
+        rays.for_range(first, count, [&](std::uint32_t patch, std::uint64_t ray, std::size_t number) {
+            block.items.resize(number);
+            sequence.generate(item(patch, ray), block.items);
+            block.rays.patches.insert(block.rays.patches.end(), number, patch);
+            block.rays.items.insert(block.rays.items.end(), block.items.begin(), block.items.end());
+        });
+        block.rays.trace(scene);
+    }
+    std::uint64_t take(std::uint64_t number, const Block& block)
+    {
+        for (std::size_t k = 0; k < block.rays.receivers.size(); ++k) {
+            const IterationRay ray = carried(block.rays.patches[k], block.rays.receivers[k]);
+            transfer.deposit(ray.to, ray.sent); // (J1) (J2)
+            if (ray.to_density > 0.0)
+                transfer.deposit(ray.from, ray.returned);
+        }
+        return lines().length(number);
+    }
+    void visit(Archive& archive) { transfer.visit(archive); }
 
-private:
     std::uint64_t item(std::uint32_t patch, std::uint64_t ray) const
     {
-        return first_item_[patch] + (ray - rays_.first_ray(patch));
+        return first_item + senders[patch].first_item + (ray - rays.first_ray(patch));
     }
+    IterationRay carried(std::uint32_t from, std::uint32_t to) const;
 
-    std::vector<std::uint64_t> first_item_; ///< of each patch, in this iteration
-    Allotment rays_;
-    std::vector<Sender> senders_;
+    const Scene& scene;
+    const Sequence& sequence;
+    const std::uint64_t first_item;
+    const bool bidirectional;
+    Allotment rays; ///< of the patches
+    std::vector<Sender> senders;
+    TransportEstimate transfer;
 };
 
 /// A ray and the power that it carries. The rays that leave i have the density n_i / A_i. In both directions, a ray
@@ -250,13 +267,13 @@ private:
 /// each carries B / (n_i / A_i + n_j / A_j) (J2), the balance heuristic (Veach and Guibas 1995). The ray of a rare
 /// sender carries nothing back to it: such a patch would hold light just after it has sent, and none when its next ray
 /// comes, iterations later.
-IterationRay carried_by(const SentRays& rays, std::uint32_t from, std::uint32_t to, bool bidirectional)
+IterationRay RayStage::carried(std::uint32_t from, std::uint32_t to) const
 {
-    const Sender& sender = rays.sender(from);
+    const Sender& sender = senders[from];
     IterationRay ray{0, from, to, sender.density, 0.0, (1.0 / sender.density) * sender.radiosity, {}}; // (J1)
     if (!bidirectional || !Segment::is_patch(to))
         return ray;
-    const Sender& other = rays.sender(to);
+    const Sender& other = senders[to];
     const double other_density = other.is_rare ? 0.0 : other.density;       // of rays that carry back
     ray.sent = (1.0 / (sender.density + other_density)) * sender.radiosity; // (J2)
     if (!sender.is_rare) {
@@ -265,47 +282,6 @@ IterationRay carried_by(const SentRays& rays, std::uint32_t from, std::uint32_t 
     }
     return ray;
 }
-
-/// Adds the power that the rays of a block carry.
-void carry(const SentRays& rays, const RayBlock& block, bool bidirectional, TransportEstimate& transfer)
-{
-    for (std::size_t k = 0; k < block.receivers.size(); ++k) {
-        const IterationRay ray = carried_by(rays, block.patches[k], block.receivers[k], bidirectional);
-        transfer.deposit(ray.to, ray.sent);
-        if (ray.to_density > 0.0)
-            transfer.deposit(ray.from, ray.returned);
-    }
-}
-
-/// The rays of one iteration, and the power that they have carried.
-struct RayStage
-{
-    struct Block
-    {
-        RayBlock rays;
-        std::vector<Item> items;
-    };
-
-    Blocks lines() const { return {sent.count(), rays_together}; }
-    void trace(std::uint64_t number, Block& block) const
-    {
-        sent.fill(sequence, first_item, lines().first(number), lines().length(number), block.items, block.rays);
-        block.rays.trace(scene);
-    }
-    std::uint64_t take(std::uint64_t number, const Block& block)
-    {
-        carry(sent, block.rays, bidirectional, transfer); // (J1) (J2)
-        return lines().length(number);
-    }
-    void visit(Archive& archive) { transfer.visit(archive); }
-
-    const Scene& scene;
-    const Sequence& sequence;
-    const std::uint64_t first_item;
-    const bool bidirectional;
-    const SentRays sent;
-    TransportEstimate transfer;
-};
 
 Rgb sum_of(const std::vector<Rgb>& powers)
 {
@@ -336,44 +312,41 @@ double usual_sendings(const Scene& scene)
 
 } // namespace
 
-std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
-                          const RunControl& run, PowerState& state)
+std::uint64_t send_series(Run& run, std::uint64_t lines, std::uint64_t most_lines, bool bidirectional)
 {
-    double rays_per_power = static_cast<double>(options.lines) / usual_sendings(scene) / mean(sum_of(state.unshot));
+    PowerState& state = run.state;
+    const RunControl control = run.control(1, 1);
+    double rays_per_power = static_cast<double>(lines) / usual_sendings(run.scene) / mean(sum_of(state.unshot));
     std::uint64_t passes = 0; // finished
     std::uint64_t cast = 0;   // rays of the finished passes
-    const Checkpoint::Part part(run.checkpoint, "series", [&](Archive& archive) {
+    const Checkpoint::Part part(control.checkpoint, "series", [&](Archive& archive) {
         archive.value<double>("rays per watt", rays_per_power);
         archive.value<std::uint64_t>("passes", passes);
         archive.value<std::uint64_t>("cast", cast);
     });
-    const std::uint64_t key = random_key(RandomStream::series_rays, options.seed);
-    for (; cast < options.most_lines; ++passes) {
+    const std::uint64_t key = random_key(RandomStream::series_rays, run.options.seed);
+    for (; cast < most_lines; ++passes) {
         const double power = mean(sum_of(state.unshot));
         if (!(power > 0.0))
             break;
         // Power below that of a single ray is sent by one ray at random, or is lost (Russian roulette).
-        const double wanted = std::min(rays_per_power * power, static_cast<double>(options.most_lines - cast));
-        const RayPlan plan(shares_of_rays(scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
-        RayStage stage{scene,
-                       sequence,
-                       options.first_item + cast,
-                       options.bidirectional,
-                       {scene, plan, state.unshot, 0.0, 1.0},
-                       TransportEstimate::none(scene)};
-        if (run_stage("rays", stage, run) < stage.sent.count())
+        const double wanted = std::min(rays_per_power * power, static_cast<double>(most_lines - cast));
+        const RayPlan plan =
+            plan_rays(shares_of_rays(run.scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
+        RayStage stage(run, run.first_local_item() + cast, bidirectional, plan, state.unshot, 0.0, 1.0);
+        if (run_stage("rays", stage, control) < stage.rays.rays())
             break;
-        take_transfer(scene, stage.transfer, state);
-        cast += stage.sent.count();
+        take_transfer(run.scene, stage.transfer, state);
+        cast += stage.rays.rays();
     }
     return cast;
 }
 
-SeriesOptions series_before_iterations(std::uint64_t first_item, std::uint64_t lines, bool bidirectional,
-                                       std::uint64_t seed)
+void ray_series(Run& run)
 {
-    return {first_item, std::max<std::uint64_t>(1, lines / 16), std::max<std::uint64_t>(1, lines / 2), bidirectional,
-            seed};
+    const std::uint64_t lines = run.options.lines;
+    run.solution.local_lines += send_series(run, std::max<std::uint64_t>(1, lines / 16),
+                                            std::max<std::uint64_t>(1, lines / 2), run.options.bidirectional);
 }
 
 namespace {
@@ -386,44 +359,58 @@ struct IterationPlan
     std::uint64_t first_item;      ///< of the iterations
     std::uint64_t importance_rays; ///< cast for the plan
     double importance_checksum;    ///< identifies the important patches in a checkpoint
+
+    /// The stage of the iteration that casts the lines done ... done + next - 1.
+    RayStage stage(const Run& run, const std::vector<Rgb>& power, std::uint64_t done, std::uint64_t next) const
+    {
+        const auto all = static_cast<double>(lines);
+        return {run,
+                first_item,
+                run.options.bidirectional,
+                rays,
+                power,
+                static_cast<double>(done) / all,
+                static_cast<double>(done + next) / all};
+    }
 };
 
-IterationPlan plan_iterations(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                              const std::vector<Rgb>& power, int threads)
+IterationPlan plan_iterations(const Run& run, const std::vector<Rgb>& power)
 {
+    const Scene& scene = run.scene;
     // After m rays, each of n_p patches has received about m / n_p of them.
-    const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(options.lines_before + 1);
+    const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(run.solution.local_lines + 1);
     std::vector<double> shares = shares_of_rays(scene, power, std::clamp(unknown, 0.02, 0.5));
     std::uint64_t importance_rays = 0;
     double importance_checksum = 0.0;
-    if (options.importance) {
+    if (const Importance* const importance = run.options.importance.get()) {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            importance_checksum += options.importance->weight[i] * (1.0 + i);
+            importance_checksum += importance->weight[i] * (1.0 + i);
         const auto per_patch =
-            static_cast<std::uint32_t>(std::min<std::uint64_t>(16, options.lines / 32 / scene.patch_count()));
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(16, run.lines_left() / 32 / scene.patch_count()));
         importance_rays = std::uint64_t{per_patch} * scene.patch_count();
         const std::vector<double> noise_factors =
-            per_patch > 0 ? options.importance->noise_factors(scene, sequence, options.first_item, per_patch, threads)
+            per_patch > 0 ? importance->noise_factors(scene, *run.sequence, run.first_local_item(), per_patch,
+                                                      run.options.threads)
                           : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
-        favour(scene, *options.importance, noise_factors, power, shares);
+        favour(scene, *importance, noise_factors, power, shares);
     }
-    const std::uint64_t lines = options.lines - importance_rays;
-    const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, options.seed), 0));
-    return {RayPlan(shares, static_cast<double>(lines), offset), lines, options.first_item + importance_rays,
+    const std::uint64_t lines = run.lines_left() - importance_rays;
+    const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, run.options.seed), 0));
+    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.first_local_item() + importance_rays,
             importance_rays, importance_checksum};
 }
 
 } // namespace
 
-std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                              const RunControl& run, PowerState& state)
+void ray_iterations(Run& run)
 {
-    const PowerState start(scene);
-    JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
-    const IterationPlan plan = plan_iterations(scene, sequence, options, iterations.power(), run.threads);
+    const RunControl control = run.control(1, 1);
+    const PowerState start(run.scene);
+    JacobiIterations iterations(run.scene, start, run.state, static_cast<double>(run.solution.local_lines));
+    const IterationPlan plan = plan_iterations(run, iterations.power());
     std::uint64_t done = 0; // planned lines of the finished iterations
     std::uint64_t cast = 0; // rays of these; the same up to rounding
-    const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
+    const Checkpoint::Part part(control.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("done", done);
         archive.value<std::uint64_t>("cast", cast);
         double wanted = plan.importance_checksum;
@@ -433,47 +420,35 @@ std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, cons
         iterations.visit(archive);
     });
     if (!part.resumed())
-        run.count_lines(plan.importance_rays);
-    const auto part_of = [&](std::uint64_t count) {
-        return static_cast<double>(count) / static_cast<double>(plan.lines);
-    };
+        control.count_lines(plan.importance_rays);
     while (done < plan.lines) {
         const std::uint64_t next = iterations.next_lines(plan.lines - done);
-        RayStage stage{scene,
-                       sequence,
-                       plan.first_item,
-                       options.bidirectional,
-                       {scene, plan.rays, iterations.power(), part_of(done), part_of(done + next)},
-                       TransportEstimate::none(scene)};
-        if (run_stage("rays", stage, run) < stage.sent.count())
+        RayStage stage = plan.stage(run, iterations.power(), done, next);
+        if (run_stage("rays", stage, control) < stage.rays.rays())
             break;
         iterations.add(stage.transfer, static_cast<double>(next));
         done += next;
-        cast += stage.sent.count();
+        cast += stage.rays.rays();
     }
     if (done > 0)
-        state = iterations.finish();
-    return plan.importance_rays + cast;
+        run.state = iterations.finish();
+    run.solution.local_lines += plan.importance_rays + cast;
+    run.solved = true;
 }
 
-IterationTrace trace_first_iteration(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                                     const PowerState& state, std::uint64_t first, std::uint64_t count, int threads)
+IterationTrace trace_first_iteration(const Run& run, std::uint64_t first, std::uint64_t count)
 {
-    const PowerState start(scene);
-    const JacobiIterations iterations(scene, start, state, static_cast<double>(options.lines_before));
-    const IterationPlan plan = plan_iterations(scene, sequence, options, iterations.power(), threads);
-    const double part = static_cast<double>(iterations.next_lines(plan.lines)) / static_cast<double>(plan.lines);
-    const SentRays sent(scene, plan.rays, iterations.power(), 0.0, part);
-    IterationTrace trace{sent.count(), {}};
-    first = std::min(first, sent.count());
-    RayBlock block;
-    std::vector<Item> items;
-    sent.fill(sequence, plan.first_item, first, static_cast<std::size_t>(std::min(count, sent.count() - first)), items,
-              block);
-    block.trace(scene);
-    for (std::size_t k = 0; k < block.receivers.size(); ++k) {
-        trace.rays.push_back(carried_by(sent, block.patches[k], block.receivers[k], options.bidirectional));
-        trace.rays.back().item = plan.first_item + sent.item(first + k);
+    const PowerState start(run.scene);
+    const JacobiIterations iterations(run.scene, start, run.state, static_cast<double>(run.solution.local_lines));
+    const IterationPlan plan = plan_iterations(run, iterations.power());
+    const RayStage stage = plan.stage(run, iterations.power(), 0, iterations.next_lines(plan.lines));
+    IterationTrace trace{stage.rays.rays(), {}};
+    first = std::min(first, trace.ray_count);
+    RayStage::Block block;
+    stage.trace_range(first, std::min(count, trace.ray_count - first), block);
+    for (std::size_t k = 0; k < block.rays.receivers.size(); ++k) {
+        trace.rays.push_back(stage.carried(block.rays.patches[k], block.rays.receivers[k]));
+        trace.rays.back().item = stage.item(block.rays.patches[k], first + k);
     }
     return trace;
 }

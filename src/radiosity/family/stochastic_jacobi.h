@@ -1,9 +1,7 @@
 #pragma once
 
-#include "parallel/run_control.h"
-#include "radiosity/family/importance.h"
 #include "radiosity/paper/power_state.h"
-#include "sampling/sequence.h"
+#include "radiosity/run/run.h"
 
 #include <cstdint>
 #include <vector>
@@ -64,50 +62,24 @@ private:
     double lines_; ///< number of lines of all iterations so far
 };
 
-/// Parameters of send_series().
-struct SeriesOptions
-{
-    std::uint64_t first_item = 0; ///< ray k takes item (point) first_item + k of the sequence
-    std::uint64_t lines = 0;      ///< approximate number of rays to use
-    std::uint64_t most_lines = 0; ///< maximum number of rays; light that they do not distribute stays unshot
-    bool bidirectional = true;    ///< a ray also carries the power of the patch at its other end (J2)
-    std::uint64_t seed = 0;       ///< seed of the random rounding to whole rays
-};
-
-/// Parameters of iterate_by_rays().
-struct JacobiOptions
-{
-    std::uint64_t first_item = 0;   ///< ray k takes item (point) first_item + k of the sequence
-    std::uint64_t lines_before = 0; ///< number of rays used for the initial state
-    std::uint64_t lines = 0;        ///< number of rays to use
-    bool bidirectional = true;      ///< a ray also carries the power of the patch at its other end (J2)
-    std::uint64_t seed = 0;         ///< seed of the random rounding to whole rays
-    /// If set, up to a 32nd of the rays, at most 16 per patch, first estimate the noise factors
-    /// (Importance::noise_factors). Null: all patches are equally important.
-    const Importance* importance = nullptr;
-};
-
 /// The Neumann series: an estimate of all light. In each pass, every patch sends its unshot power by rays, whose number
 /// is in proportion to this power (J1) (J2). What the patch reflects of the received power is its unshot power in the
-/// next pass. Ends when no power is left, or after options.most_lines rays. If the run is stopped, the unfinished pass
-/// has no effect. Returns the number of rays of the finished passes. The caller must save `state` in the checkpoint;
-/// this function saves the rest.
-std::uint64_t send_series(const Scene& scene, const Sequence& sequence, const SeriesOptions& options,
-                          const RunControl& run, PowerState& state);
+/// next pass. Uses about `lines` rays. Ends when no power is left, or after `most_lines` rays; light that they do not
+/// distribute stays unshot. `bidirectional`: a ray also carries the power of the patch at its other end (J2). If the
+/// run is stopped, the unfinished pass has no effect. Returns the number of rays of the finished passes, which the
+/// caller must record.
+std::uint64_t send_series(Run& run, std::uint64_t lines, std::uint64_t most_lines, bool bidirectional);
 
-/// Parameters of the series that precedes the iterations of a run with `lines` rays in total: the series uses about a
-/// sixteenth of them, and at most half.
-SeriesOptions series_before_iterations(std::uint64_t first_item, std::uint64_t lines, bool bidirectional,
-                                       std::uint64_t seed);
+/// The series before the iterations, with about a sixteenth of the lines of the run, at most half. A Stage.
+void ray_series(Run& run);
 
-/// Iterations in which every patch sends all its power, by rays in proportion to it (J1) (J2). `state` holds an
-/// estimate of all light, which must not be too poor: an error that all patches share decreases only by the factor rho
-/// per iteration. Replaces `state` by the mean of this estimate and the iterations (JacobiIterations). If the run is
-/// stopped, an unfinished iteration has no effect. Returns the number of rays of the finished iterations and of the
-/// noise factors. The caller must save `state` in the checkpoint; this function saves the rest. Throws ArchiveError if
-/// the checkpoint has other important patches.
-std::uint64_t iterate_by_rays(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                              const RunControl& run, PowerState& state);
+/// Iterations in which every patch sends all its power, by rays in proportion to it (J1) (J2). The state of the run is
+/// an estimate of all light, which must not be too poor: an error that all patches share decreases only by the factor
+/// rho per iteration. Replaces the state by the mean of this estimate and the iterations (JacobiIterations). If patches
+/// are important (SolveOptions::importance), up to a 32nd of the rays, at most 16 per patch, first estimate the noise
+/// factors (Importance::noise_factors). If the run is stopped, an unfinished iteration has no effect. Throws
+/// ArchiveError if the checkpoint has other important patches. A Stage.
+void ray_iterations(Run& run);
 
 /// A ray of an iteration, and the power that it carries (J1) (J2).
 struct IterationRay
@@ -130,9 +102,8 @@ struct IterationTrace
     std::vector<IterationRay> rays; ///< the traced ones
 };
 
-/// Traces the rays first ... first + count - 1 of the first iteration of iterate_by_rays() with these options and this
-/// `state`; fewer if the iteration has fewer.
-IterationTrace trace_first_iteration(const Scene& scene, const Sequence& sequence, const JacobiOptions& options,
-                                     const PowerState& state, std::uint64_t first, std::uint64_t count, int threads);
+/// Traces the rays first ... first + count - 1 of the first of the ray_iterations() of this run; fewer if the iteration
+/// has fewer.
+IterationTrace trace_first_iteration(const Run& run, std::uint64_t first, std::uint64_t count);
 
 } // namespace multipath

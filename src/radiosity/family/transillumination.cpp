@@ -112,23 +112,6 @@ private:
     HitLists hits_;
 };
 
-/// Adds the power that the lines of a block carry.
-void carry(const BundleBlock& block, const std::vector<Rgb>& radiosity, std::uint64_t directions,
-           TransportEstimate& transfer)
-{
-    std::size_t k = 0;
-    for (const BundleBlock::Direction& direction : block.directions) {
-        const auto send = [&](std::uint32_t from, std::uint32_t to) {
-            if (Segment::is_patch(from))
-                transfer.deposit(to, power_along_line(radiosity[from], direction.section, directions));
-        };
-        for (; k < direction.end; ++k) {
-            send(block.segments[k].from, block.segments[k].to);
-            send(block.segments[k].to, block.segments[k].from);
-        }
-    }
-}
-
 /// The directions of one iteration.
 struct BundleStage
 {
@@ -143,8 +126,19 @@ struct BundleStage
     }
     std::uint64_t take(std::uint64_t number, const BundleBlock& block)
     {
-        carry(block, radiosity, directions, transfer);
+        std::size_t k = 0;
+        for (const BundleBlock::Direction& direction : block.directions)
+            for (; k < direction.end; ++k) {
+                const auto [from, to] = block.segments[k];
+                send(from, to, direction.section); // (P1)
+                send(to, from, direction.section);
+            }
         return bundle * lines().length(number);
+    }
+    void send(std::uint32_t from, std::uint32_t to, double section)
+    {
+        if (Segment::is_patch(from))
+            transfer.deposit(to, power_along_line(radiosity[from], section, directions));
     }
     void visit(Archive& archive) { transfer.visit(archive); }
 
@@ -159,20 +153,19 @@ struct BundleStage
 
 } // namespace
 
-std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
-                               const RunControl& run, PowerState& state)
+std::uint64_t estimate_by_rays(Run& run)
 {
-    const SeriesOptions series{options.first_item, std::max<std::uint64_t>(1, options.lines / 8),
-                               std::max<std::uint64_t>(1, options.lines / 2), true, options.seed};
-    return send_series(scene, sequence, series, run, state); // (J1) (J2)
+    const std::uint64_t lines = run.solution.global_lines;
+    return send_series(run, std::max<std::uint64_t>(1, lines / 8), std::max<std::uint64_t>(1, lines / 2), true);
 }
 
-BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays)
+BundlePlan plan_bundles(const Run& run, std::uint64_t rays)
 {
-    const std::uint64_t lines = options.lines - std::min(options.lines, rays);
+    const std::uint64_t lines = run.solution.global_lines - std::min(run.solution.global_lines, rays);
     const std::uint64_t root =
         std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(lines))));
-    const std::uint64_t bundle = std::clamp<std::uint64_t>(lines / fewest_directions, 1, options.bundle.value_or(root));
+    const std::uint64_t bundle =
+        std::clamp<std::uint64_t>(lines / fewest_directions, 1, run.options.bundle.value_or(root));
     return {bundle, lines / bundle};
 }
 
@@ -181,48 +174,48 @@ Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions)
     return (2.0 * section / static_cast<double>(directions)) * radiosity;
 }
 
-std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
-                                 const RunControl& run, PowerState& state)
+void bundle_iterations(Run& run)
 {
-    PowerState start = state;
+    run.plan_global_lines();
+    const RunControl control = run.control(1, 1);
+    const Scene& scene = run.scene;
+    PowerState start = run.state;
     std::uint64_t rays = 0; // of the first estimate
-    const Checkpoint::Part first(run.checkpoint, "first estimate", [&](Archive& archive) {
+    const Checkpoint::Part first(control.checkpoint, "first estimate", [&](Archive& archive) {
         archive.value<std::uint64_t>("rays", rays);
         archive.object("start", start);
     });
-    if (rays == 0) {
-        rays = estimate_by_rays(scene, sequence, options, run, state);
-        if (run.stopped() || rays == 0)
-            return rays;
-    }
-    JacobiIterations iterations(scene, start, state, static_cast<double>(rays));
+    if (rays == 0)
+        rays = estimate_by_rays(run);
+    JacobiIterations iterations(scene, start, run.state, static_cast<double>(rays));
     std::uint64_t done = 0; // directions of the finished iterations
-    const Checkpoint::Part part(run.checkpoint, "iterations", [&](Archive& archive) {
+    const Checkpoint::Part part(control.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("directions", done);
         iterations.visit(archive);
     });
-    const BundlePlan plan = plan_bundles(options, rays);
-    while (done < plan.directions) {
+    const BundlePlan plan = plan_bundles(run, rays);
+    while (rays > 0 && done < plan.directions && !run.stopped()) {
         const std::uint64_t left = plan.directions - done;
         const std::uint64_t lines = iterations.next_lines(left * plan.bundle);
         std::vector<Rgb> radiosity = iterations.power();
         for (std::uint32_t i = 0; i < radiosity.size(); ++i)
             radiosity[i] = (1.0 / scene.area(i)) * radiosity[i];
         BundleStage stage{scene,
-                          sequence,
-                          options.first_item + rays + done,
+                          *run.sequence,
+                          run.first_local_item() + rays + done,
                           plan.bundle,
                           std::clamp<std::uint64_t>(lines / plan.bundle, 1, left),
                           std::move(radiosity),
                           TransportEstimate::none(scene)};
-        if (run_stage("bundles", stage, run) < stage.directions) // (P1)
+        if (run_stage("bundles", stage, control) < stage.directions)
             break;
         iterations.add(stage.transfer, static_cast<double>(stage.directions * plan.bundle));
         done += stage.directions;
     }
     if (done > 0)
-        state = iterations.finish();
-    return rays + done * plan.bundle;
+        run.state = iterations.finish();
+    run.solution.global_lines = run.solution.global_lines_cast = rays + done * plan.bundle;
+    run.solved = true;
 }
 
 } // namespace multipath

@@ -2,12 +2,10 @@
 
 #include "geometry/bounds.h"
 #include "geometry/line.h"
-#include "parallel/run_control.h"
-#include "radiosity/paper/power_state.h"
+#include "radiosity/run/run.h"
 #include "sampling/sequence.h"
 
 #include <cstdint>
-#include <optional>
 
 namespace multipath {
 
@@ -43,33 +41,23 @@ private:
     double section_ = 0.0; ///< [m^2]
 };
 
-/// Parameters of transillumination.
-struct TransilluminationOptions
-{
-    /// Index in the sequence of the first item: one item per ray of estimate_by_rays(), then one per direction.
-    std::uint64_t first_item = 0;
-    std::uint64_t lines = 0; ///< number of rays and lines to use; lines that miss the bounding box are not charged (N1)
-    /// Lines per direction that meet the bounding box; limited to 1/16 of all lines that remain after
-    /// estimate_by_rays(). Empty: the square root of the number of remaining lines, so that there are about as many
-    /// directions as lines per direction.
-    std::optional<std::uint64_t> bundle;
-    std::uint64_t seed = 0; ///< seed of the random rounding to whole rays
-};
-
 /// The estimate of all light before the first iteration, by rays from the patches (send_series). Uses about an eighth
-/// of options.lines, at most half of them. Returns the number of rays cast, and adds the light to `state`.
-std::uint64_t estimate_by_rays(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
-                               const RunControl& run, PowerState& state);
+/// of the planned global lines, at most half of them. Returns the number of rays cast, and adds the light to the state
+/// of the run.
+std::uint64_t estimate_by_rays(Run& run);
 
-/// How the lines that remain after estimate_by_rays() are used.
+/// How the planned global lines that remain after estimate_by_rays() are used. Lines that miss the bounding box are not
+/// charged (N1).
 struct BundlePlan
 {
     std::uint64_t bundle;     ///< lines per direction that meet the bounding box
     std::uint64_t directions; ///< number of directions of all iterations together
 };
 
-/// Divides the lines that remain into directions. `rays`: number of rays that estimate_by_rays() cast.
-BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t rays);
+/// Divides the lines that remain into directions. `rays`: number of rays that estimate_by_rays() cast. At least 16
+/// directions are planned, if there are as many lines. Lines per direction: SolveOptions::bundle, else the square root
+/// of the remaining lines, so that there are about as many directions as lines per direction.
+BundlePlan plan_bundles(const Run& run, std::uint64_t rays);
 
 /// [W] Power that a patch of this radiosity B [W/m^2] sends along a line that represents `section` [m^2] of one of
 /// D = `directions` directions: 2 section B / D ((P1) in docs/equations.md). Each line leaves the front of the patch in
@@ -78,13 +66,11 @@ BundlePlan plan_bundles(const TransilluminationOptions& options, std::uint64_t r
 Rgb power_along_line(Rgb radiosity, double section, std::uint64_t directions);
 
 /// Transillumination (Szirmay-Kalos, Foris, Neumann, Csebfalvi 1997; with many lines per direction, ray bundles,
-/// Szirmay-Kalos and Purgathofer 1998): distributes the unshot power of `state`. It begins with estimate_by_rays().
-/// Iterations as in stochastic_jacobi.h follow, in which parallel lines through the whole scene estimate the power T P
-/// that the patches receive; each direction comes from an item of the sequence. Every two patches that are joined by a
-/// line exchange power, both ways (P1). If the run is stopped, an unfinished iteration has no effect. Returns the
-/// number of rays and lines used, without those of an unfinished iteration. The caller must save `state` in the
-/// checkpoint; this function saves the rest.
-std::uint64_t iterate_by_bundles(const Scene& scene, const Sequence& sequence, const TransilluminationOptions& options,
-                                 const RunControl& run, PowerState& state);
+/// Szirmay-Kalos and Purgathofer 1998): distributes the unshot power by all remaining lines. It begins with
+/// estimate_by_rays(). Iterations as in stochastic_jacobi.h follow, in which parallel lines through the whole scene
+/// estimate the power T P that the patches receive. Each direction comes from an item of the sequence, after those of
+/// the rays. Every two patches that are joined by a line exchange power, both ways (P1). If the run is stopped, an
+/// unfinished iteration has no effect. A Stage.
+void bundle_iterations(Run& run);
 
 } // namespace multipath

@@ -67,22 +67,30 @@ std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
     return probes;
 }
 
-/// A patch with the area that it represents.
-struct Representative
+/// A tested patch.
+struct Target
 {
     std::uint32_t patch;
-    double area; ///< [scene units^2]
+    double area; ///< that it represents [scene units^2]
+    Surface shape;
+    Vec3 normal;
+    bool lit = false;
+
+    Target(const Scene& scene, std::uint32_t number, double represented)
+        : patch(number), area(represented), shape(scene.patch(number).shape), normal(shape.normal())
+    {
+    }
 };
 
 /// All patches with their own areas if there are no more than `most`. Otherwise a stratified random sample by area,
 /// with one point in each of `most` equal strata of the cumulative area. Equidistant points would alias with the grids
 /// into which surfaces are divided.
-std::vector<Representative> representatives(const Scene& scene, std::uint32_t most)
+std::vector<Target> targets(const Scene& scene, std::uint32_t most)
 {
-    std::vector<Representative> chosen;
+    std::vector<Target> chosen;
     if (scene.patch_count() <= most) {
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            chosen.push_back({i, scene.area(i)});
+            chosen.emplace_back(scene, i, scene.area(i));
         return chosen;
     }
     constexpr std::uint64_t key = random_key(RandomStream::chosen_patches); // the same sample in every run
@@ -96,77 +104,39 @@ std::vector<Representative> representatives(const Scene& scene, std::uint32_t mo
         if (!chosen.empty() && chosen.back().patch == patch)
             chosen.back().area += stratum;
         else
-            chosen.push_back({patch, stratum});
+            chosen.emplace_back(scene, patch, stratum);
     }
     return chosen;
 }
 
-/// Finds which patches see any of the points on the sources. All patches that are not known to be lit cast their next
-/// shadow rays together.
-class LightSearch
+/// Finds which of the targets first ... end - 1 see any of the points on the sources. All that are not known to be lit
+/// cast their next shadow rays together. Returns the area represented by the lit ones [scene units^2].
+double find_lit(const Scene& scene, const std::vector<Probe>& probes, Target* first, Target* end)
 {
-public:
-    LightSearch(const Scene& scene, const std::vector<Probe>& probes, const Representative* first,
-                const Representative* end)
-        : scene_(scene), probes_(probes)
-    {
-        for (const Representative* chosen = first; chosen != end; ++chosen) {
-            const Surface shape = scene.patch(chosen->patch).shape;
-            patches_.push_back({chosen->patch, chosen->area, shape, shape.normal()});
-        }
-        unlit_.resize(patches_.size());
-        std::iota(unlit_.begin(), unlit_.end(), std::size_t{0});
-    }
-
-    /// [scene units^2] represented by the lit patches.
-    double lit_area()
-    {
-        constexpr std::size_t rays_together = 1024;
-        for (std::size_t done = 0; done < probes_.size() && !unlit_.empty();) {
-            const std::size_t next =
-                std::min(probes_.size(), done + std::max<std::size_t>(1, rays_together / unlit_.size()));
-            cast_probes(done, next);
-            done = next;
-        }
-        double area = 0.0;
-        for (const Target& patch : patches_)
-            area += patch.lit ? patch.area : 0.0;
-        return area;
-    }
-
-private:
-    struct Target
-    {
-        std::uint32_t number;
-        double area; ///< represented [scene units^2]
-        Surface shape;
-        Vec3 normal;
-        bool lit = false;
-    };
-
-    void cast_probes(std::size_t first, std::size_t end)
-    {
-        for (const std::size_t k : unlit_)
-            for (std::size_t t = first; t < end; ++t) {
-                const Probe& probe = probes_[t];
-                const Target& patch = patches_[k];
-                const Line ray = {probe.from, point_on(patch.shape, probe.a, probe.b) - probe.from};
-                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, patch.normal) < 0.0)
-                    rays_.add(probe.source_surface, scene_.surface_of(patch.number), ray, k);
+    constexpr std::size_t rays_together = 1024;
+    std::vector<Target*> unlit;
+    for (Target* target = first; target != end; ++target)
+        unlit.push_back(target);
+    ShadowRays<Target*> rays;
+    for (std::size_t done = 0; done < probes.size() && !unlit.empty();) {
+        const std::size_t next = std::min(probes.size(), done + std::max<std::size_t>(1, rays_together / unlit.size()));
+        for (Target* const target : unlit)
+            for (std::size_t k = done; k < next; ++k) {
+                const Probe& probe = probes[k];
+                const Line ray = {probe.from, point_on(target->shape, probe.a, probe.b) - probe.from};
+                if (dot(ray.direction, probe.source_normal) > 0.0 && dot(ray.direction, target->normal) < 0.0)
+                    rays.add(probe.source_surface, scene.surface_of(target->patch), ray, target);
             }
-        rays_.trace(scene_, [&](std::size_t k, const Hit& hit) {
-            patches_[k].lit = patches_[k].lit || receiving_patch(scene_, hit) == patches_[k].number;
+        rays.trace(scene, [&](Target* target, const Hit& hit) {
+            target->lit = target->lit || receiving_patch(scene, hit) == target->patch;
         });
-        const auto is_lit = [this](std::size_t k) { return patches_[k].lit; };
-        unlit_.erase(std::remove_if(unlit_.begin(), unlit_.end(), is_lit), unlit_.end());
+        unlit.erase(std::remove_if(unlit.begin(), unlit.end(), [](const Target* target) { return target->lit; }),
+                    unlit.end());
+        done = next;
     }
-
-    const Scene& scene_;
-    const std::vector<Probe>& probes_;
-    std::vector<Target> patches_;
-    std::vector<std::size_t> unlit_; ///< indices of the patches not known to be lit
-    ShadowRays<std::size_t> rays_;   ///< with the index of the patch that each ray tests
-};
+    return std::accumulate(first, end, 0.0,
+                           [](double sum, const Target& target) { return sum + (target.lit ? target.area : 0.0); });
+}
 
 /// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many. `share` scales the
 /// number of patches and of rays.
@@ -178,13 +148,13 @@ double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int t
     const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
     const auto most_patches =
         static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, least_patches, 1u << 16));
-    const std::vector<Representative> chosen = representatives(scene, most_patches);
+    std::vector<Target> chosen = targets(scene, most_patches);
     constexpr std::uint32_t patches_at_a_time = 256;
     std::vector<double> area(chosen.size() / patches_at_a_time + 1, 0.0);
     parallel_ranges(static_cast<std::uint32_t>(chosen.size()), patches_at_a_time, threads,
                     [&](std::uint32_t first, std::uint32_t end) {
                         area[first / patches_at_a_time] =
-                            LightSearch(scene, probes, chosen.data() + first, chosen.data() + end).lit_area();
+                            find_lit(scene, probes, chosen.data() + first, chosen.data() + end);
                     });
     return std::accumulate(area.begin(), area.end(), 0.0);
 }

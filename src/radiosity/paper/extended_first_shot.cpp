@@ -31,49 +31,6 @@ std::uint64_t lines_of(const std::vector<ShotPass>& passes)
                            [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
 }
 
-/// Passes over the patches, until no patch exceeds the threshold (S2). power_of_ray(excess) is the power [W] of one ray
-/// of the next pass, which shoots `excess` [W]; 0 ends the passes, which are added to `passes`.
-template <class PowerOfRay>
-void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                  const ExtendedShotOptions& options, const PowerOfRay& power_of_ray, const RunControl& run,
-                  const PassObserver& observe, std::vector<ShotPass>& passes, PowerState& state)
-{
-    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
-        const double excess = power_above(scene, state, options.threshold);
-        const double ray_power = excess > 0.0 ? power_of_ray(excess) : 0.0;
-        if (!(ray_power > 0.0))
-            return;
-        const double offset = passes.empty() ? first_offset(scene, state, options.threshold, ray_power, options.seed)
-                                             : random_offset(options.seed, passes.size());
-        const ShotRule rule{options.threshold, ray_power, offset};
-        const std::vector<Shot> shots = plan_shots(scene, state, rule);
-        if (shots.empty())
-            return;
-        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
-        spend(scene, options.threshold, shots, next);
-        const std::uint64_t first_ray_item = first_item + lines_of(passes);
-        if (observe)
-            observe(first_ray_item, shots, next);
-        const std::uint64_t rays = shoot(scene, sequence, first_ray_item, shots, run, next); // (S1)
-        state = std::move(next);
-        passes.push_back({rays, excess, power_balance(scene, state)});
-    }
-}
-
-/// Passes of which the first has a sixteenth of the rays, at most 4096, to estimate how the power is distributed over
-/// the passes; `state` is a copy. Uses the same items as the passes that follow, but only powers are taken from it.
-std::vector<ShotPass> run_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                const ExtendedShotOptions& options, int threads, PowerState state)
-{
-    const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
-    const double power = power_above(scene, state, options.threshold) / static_cast<double>(rays);
-    const RunControl without_checkpoint{threads};
-    std::vector<ShotPass> passes;
-    shoot_passes(
-        scene, sequence, first_item, options, [power](double) { return power; }, without_checkpoint, {}, passes, state);
-    return passes;
-}
-
 /// [1] Power that is still to be shot, in units of that of the next pass, number k, as the pilot found it; 1 from its
 /// last pass on.
 double relative_power_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
@@ -114,10 +71,32 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
         const Archive::Inner inner(archive, "pilot");
         visit(archive, pilot);
     });
-    if (!part.resumed() && !options.power_by_line && options.most_steps > 1)
-        pilot = run_pilot(scene, sequence, first_item, options, run.threads, state);
-    const auto power_of_ray = [&](double excess) { return power_of_next_ray(options, pilot, passes, excess); };
-    shoot_passes(scene, sequence, first_item, options, power_of_ray, run, observe, passes, state);
+    if (!part.resumed() && !options.power_by_line && options.most_steps > 1) {
+        // It uses the same items as the passes that follow, but only powers are taken from it.
+        const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096); // of its first pass
+        ExtendedShotOptions few = options;
+        few.power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(rays);
+        PowerState copy = state;
+        pilot = shoot_extended(scene, sequence, first_item, few, {run.threads}, copy);
+    }
+    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
+        const double excess = power_above(scene, state, options.threshold);
+        const double ray_power = excess > 0.0 ? power_of_next_ray(options, pilot, passes, excess) : 0.0;
+        if (!(ray_power > 0.0))
+            break;
+        const std::vector<Shot> shots =
+            plan_shots(scene, state, options.threshold, ray_power, options.seed, passes.size());
+        if (shots.empty())
+            break;
+        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
+        spend(scene, options.threshold, shots, next);
+        const std::uint64_t first_ray_item = first_item + lines_of(passes);
+        if (observe)
+            observe(first_ray_item, shots, next);
+        const std::uint64_t rays = shoot(scene, sequence, first_ray_item, shots, run, next); // (S1) (S2)
+        state = std::move(next);
+        passes.push_back({rays, excess, power_balance(scene, state)});
+    }
     return passes;
 }
 

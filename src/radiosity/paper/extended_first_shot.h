@@ -18,7 +18,7 @@ struct ExtendedShotOptions
     /// the method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
     double threshold = 0.0;
     std::uint64_t lines = 0; ///< N_l, number of rays to cast, reached approximately; ignored if power_by_line is set
-    std::optional<double> power_by_line; ///< [W] power of one ray, if the user sets it (ShotRule)
+    std::optional<double> power_by_line; ///< [W] power of one ray (plan_shots), if the user sets it
     int most_steps = 1000;               ///< maximum number of passes over the patches
     std::uint64_t seed = 0;              ///< seed of the random rounding to whole rays
 };

@@ -6,12 +6,10 @@
 #include "radiosity/paper/first_shot.h"
 
 #include "base/errors.h"
-#include "base/memory.h"
 #include "parallel/stage.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
-#include <algorithm>
 
 namespace multipath {
 
@@ -42,59 +40,42 @@ struct ShotStage
                 deposit();
             present = shot;
             const auto begin = static_cast<std::size_t>(ray - first);
-            for (std::size_t k = begin; k < begin + count; ++k) {
-                fetch(block.receivers[std::min(k + prefetch_distance, block.receivers.size() - 1)]);
-                add(block.receivers[k]);
-            }
+            for (std::size_t k = begin; k < begin + count; ++k)
+                if (const std::size_t place = place_of(block.receivers[k]); counts[place]++ == 0)
+                    touched.push_back(place);
         });
         return block.receivers.size();
     }
     /// Adds the power of the counted rays to the state (S1), and resets the counts.
     void deposit()
     {
-        const Rgb power_per_ray = shots[present].power_per_ray;
-        for (const std::uint32_t receiver : touched) {
-            const Rgb power = static_cast<double>(counts[receiver]) * power_per_ray;
-            state.incident[receiver] += power;
-            state.unshot[receiver] += scene.reflectance(receiver) * power;
-            counts[receiver] = 0;
+        for (const std::size_t place : touched) {
+            const Rgb power = static_cast<double>(counts[place]) * shots[present].power_per_ray;
+            counts[place] = 0;
+            if (place < scene.patch_count()) {
+                state.incident[place] += power;
+                state.unshot[place] += scene.reflectance(static_cast<std::uint32_t>(place)) * power;
+            } else {
+                (place == place_of(Segment::behind) ? state.behind : state.escaped) += power;
+            }
         }
-        state.behind += static_cast<double>(behind) * power_per_ray;
-        state.escaped += static_cast<double>(outside) * power_per_ray;
         touched.clear();
-        behind = outside = 0;
     }
     void visit(Archive& archive)
     {
         archive.value<std::uint64_t>("current shot", present);
         archive.list<std::uint64_t>("receivers", counts);
-        archive.value<std::uint64_t>("behind", behind);
-        archive.value<std::uint64_t>("outside", outside);
-        if (archive.reads())
-            for (std::uint32_t i = 0; i < counts.size(); ++i)
-                if (counts[i] > 0)
-                    touched.push_back(i);
+        for (std::size_t place = 0; archive.reads() && place < counts.size(); ++place)
+            if (counts[place] > 0)
+                touched.push_back(place);
         if (present >= shots.size())
             throw ArchiveError("the state is damaged: no such rays");
         archive.object("state", state);
     }
-
-    void fetch(std::uint32_t receiver) const
+    /// Index in `counts` of a patch, Segment::behind or Segment::outside.
+    std::size_t place_of(std::uint32_t receiver) const
     {
-        if (!Segment::is_patch(receiver))
-            return;
-        prefetch(&counts[receiver]);
-        prefetch(&state.incident[receiver]);
-        prefetch(&state.unshot[receiver]);
-    }
-    void add(std::uint32_t receiver)
-    {
-        if (receiver == Segment::behind)
-            ++behind;
-        else if (receiver == Segment::outside)
-            ++outside;
-        else if (counts[receiver]++ == 0)
-            touched.push_back(receiver);
+        return Segment::is_patch(receiver) ? receiver : scene.patch_count() + (receiver - Segment::behind);
     }
 
     const Scene& scene;
@@ -103,11 +84,10 @@ struct ShotStage
     const std::vector<Shot>& shots;
     PowerState& state;
     const Allotment rays = rays_of(shots);
-    std::uint64_t present = 0; ///< the shot whose rays are being counted
-    std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(scene.patch_count()); ///< of its rays, per patch
-    std::vector<std::uint32_t> touched = {}; ///< patches with a count above zero
-    std::uint64_t behind = 0;
-    std::uint64_t outside = 0;
+    std::uint64_t present = 0;             ///< the shot whose rays are being counted
+    std::vector<std::size_t> touched = {}; ///< places with a count above zero
+    /// Of its rays, per patch, and of those that reach none.
+    std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(std::size_t{scene.patch_count()} + 2);
 };
 
 } // namespace

@@ -5,7 +5,7 @@
 #include "radiosity/paper/local_monte_carlo.h"
 
 #include "parallel/stage.h"
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/run/run.h"
 #include "sampling/random.h"
 #include "transport/lines/line_segments.h"
 
@@ -62,20 +62,22 @@ ParticleStep Particles::step(std::uint64_t particle, std::uint32_t depth, std::u
 
 // Traces all particles breadth first: all first segments, then the second segments of the survivors, and so on, since
 // many rays together are traced faster.
-void Particles::follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const
+void Particles::follow(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
+                       ParticlePaths& paths) const
 {
     RayBlock& rays = paths.rays_;
     paths.by_depth_.clear();
     paths.particle_.clear();
-    paths.first_step_.assign(items.size() + 1, 0);
-    paths.survivors_.resize(items.size());
+    paths.first_step_.assign(count + 1, 0);
+    paths.survivors_.resize(count);
     std::iota(paths.survivors_.begin(), paths.survivors_.end(), std::uint32_t{0});
     paths.power_.clear();
     rays.patches.clear();
-    rays.items = items;
-    particles_.for_range(first, items.size(), [&](std::uint32_t shot, std::uint64_t, std::size_t count) {
-        paths.power_.insert(paths.power_.end(), count, shots_[shot].power_per_ray);
-        rays.patches.insert(rays.patches.end(), count, shots_[shot].patch);
+    rays.items.resize(count);
+    sequence.generate(first_item + first, rays.items);
+    particles_.for_range(first, count, [&](std::uint32_t shot, std::uint64_t, std::size_t number) {
+        paths.power_.insert(paths.power_.end(), number, shots_[shot].power_per_ray);
+        rays.patches.insert(rays.patches.end(), number, shots_[shot].patch);
     });
     for (std::uint32_t depth = 0; !paths.survivors_.empty(); ++depth) {
         rays.trace(scene_);
@@ -127,10 +129,8 @@ Particles plan_particles(const Scene& scene, const std::function<std::vector<Sho
     const Blocks blocks = {pilot.count(), particles_together(scene)};
     std::vector<double> further_steps(static_cast<std::size_t>(blocks.count()), 0.0);
     parallel_blocks(blocks.count(), threads, [&](std::uint64_t block) {
-        std::vector<Item> items(blocks.length(block));
-        random->generate(blocks.first(block), items);
         ParticlePaths paths;
-        pilot.follow(blocks.first(block), items, paths);
+        pilot.follow(*random, 0, blocks.first(block), blocks.length(block), paths);
         for (const ParticleStep& step :
              paths.steps) // the expected number of further steps has less variance than the actual one
             further_steps[static_cast<std::size_t>(block)] += survival(scene, step.where);
@@ -175,23 +175,22 @@ void deposit(const Scene& scene, const ParticleStep& step, Estimator estimator, 
 /// The particles, whose power is added to the state where they arrive.
 struct ParticleStage
 {
-    using Block = ParticleBlock;
+    using Block = ParticlePaths;
 
     Blocks lines() const { return {particles.count(), particles_together(scene)}; }
-    void trace(std::uint64_t number, ParticleBlock& block) const
+    void trace(std::uint64_t number, ParticlePaths& block) const
     {
-        block.follow(particles, sequence, options.first_item, lines(), number);
+        particles.follow(sequence, first_item, lines().first(number), lines().length(number), block);
     }
-    std::uint64_t take(std::uint64_t, const ParticleBlock& block)
+    std::uint64_t take(std::uint64_t, const ParticlePaths& block)
     {
-        for (const ParticleStep& step : block.paths.steps)
-            deposit(scene, step, options.estimator, recent);
-        const std::uint64_t steps = block.paths.steps.size();
-        segments += steps;
-        deposits += steps;
+        for (const ParticleStep& step : block.steps)
+            deposit(scene, step, estimator, recent);
+        segments += block.steps.size();
+        deposits += block.steps.size();
         if (deposits > 4 * recent.incident.size() + 65536) // rarely enough to cost nothing
             flush();
-        return steps;
+        return block.steps.size();
     }
     void visit(Archive& archive)
     {
@@ -215,7 +214,8 @@ struct ParticleStage
 
     const Scene& scene;
     const Sequence& sequence;
-    const LocalOptions& options;
+    const std::uint64_t first_item;
+    const Estimator estimator;
     const Particles particles;
     PowerState& state;
     PowerState recent = PowerState::empty(scene); ///< not yet in `state`: sums of 10^8 equal powers would drift
@@ -225,18 +225,22 @@ struct ParticleStage
 
 } // namespace
 
-std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
-                             const RunControl& run, PowerState& state)
+void cast_particles(Run& run)
 {
-    PowerState next = state; // so that a run that is resumed plans the same particles again
-    ParticleStage stage{scene, sequence, options,
-                        plan_particles(scene, state, options.lines, options.seed, run.threads), next};
-    spend(scene, 0.0, stage.particles.shots(), next);
-    const std::uint64_t sent = run_stage("particles", stage, run); // (L1)
+    const SolveOptions& options = run.options;
+    PowerState next = run.state; // so that a run that is resumed plans the same particles again
+    ParticleStage stage{run.scene,
+                        *run.sequence,
+                        run.first_local_item(),
+                        options.estimator,
+                        plan_particles(run.scene, run.state, run.lines_left(), options.seed, options.threads),
+                        next};
+    spend(run.scene, 0.0, stage.particles.shots(), next);
+    const std::uint64_t sent = run_stage("particles", stage, run.control(1, 1)); // (L1)
     stage.flush();
     keep_unsent(stage.particles.shots(), sent, next);
-    state = std::move(next);
-    return stage.segments;
+    run.state = std::move(next);
+    run.solution.local_lines += stage.segments;
 }
 
 } // namespace multipath

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "parallel/blocks.h"
-#include "parallel/run_control.h"
 #include "radiosity/paper/shots.h"
 #include "sampling/sequence.h"
 #include "transport/lines/local_rays.h"
@@ -11,6 +9,8 @@
 #include <vector>
 
 namespace multipath {
+
+class Run;
 
 /// Where the power of a particle is scored: at every patch that it meets, or only at the patch that absorbs it.
 enum class Estimator { collision, absorption };
@@ -60,10 +60,11 @@ public:
     std::uint64_t count() const { return particles_.rays(); }
     const std::vector<Shot>& shots() const { return shots_; }
 
-    /// Follows the particles first, first + 1, ..., one for each item, and replaces the contents of `paths` by their
-    /// paths, in the order of the particles. The item makes the first segment of the path; everything after the first
-    /// segment is random.
-    void follow(std::uint64_t first, const std::vector<Item>& items, ParticlePaths& paths) const;
+    /// Follows the particles first ... first + count - 1, and replaces the contents of `paths` by their paths, in the
+    /// order of the particles. The first segment of particle n is made by the item first_item + n of the sequence;
+    /// everything after the first segment is random.
+    void follow(const Sequence& sequence, std::uint64_t first_item, std::uint64_t first, std::size_t count,
+                ParticlePaths& paths) const;
 
 private:
     ParticleStep step(std::uint64_t particle, std::uint32_t depth, std::uint32_t from, const Item& item,
@@ -74,23 +75,6 @@ private:
     std::vector<Shot> shots_;
     Allotment particles_; ///< of each shot
     std::uint64_t key_;   ///< key of the random numbers
-};
-
-/// Consecutive particles that are followed together, with reusable buffers.
-struct ParticleBlock
-{
-    std::vector<Item> items;
-    ParticlePaths paths;
-
-    /// Follows block `number` of all particles. Particle n takes the item first_item + n of the sequence. `all`: the
-    /// division of all particles into blocks.
-    void follow(const Particles& particles, const Sequence& sequence, std::uint64_t first_item, const Blocks& all,
-                std::uint64_t number)
-    {
-        items.resize(all.length(number));
-        sequence.generate(first_item + all.first(number), items);
-        particles.follow(all.first(number), items, paths);
-    }
 };
 
 /// Number of particles to follow together, 1 ... 1024. It is smaller in bright scenes, where paths are long, so that
@@ -110,21 +94,10 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
 /// nothing no path ends; there the absorption estimator scores like the collision estimator.
 Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
 
-/// Parameters of local Monte Carlo, and of gathering random walks (gathering_walk.h).
-struct LocalOptions
-{
-    std::uint64_t lines = 0; ///< N_l, number of segments; reached to about 1 %, since the lengths of paths are random
-    Estimator estimator = Estimator::collision;
-    std::uint64_t first_item = 0; ///< particle k takes item (point) first_item + k of the sequence
-    std::uint64_t seed = 0;       ///< seed of the random numbers after the first segments
-};
-
 /// Phi_T local Monte Carlo ((L1) in docs/equations.md): particles of about equal power carry away all unshot power of
-/// `state`. They are reflected with probability rho, and continue from a uniform point of the patch that they hit.
-/// Returns the number of segments. The noise of Russian roulette goes into PowerState::surplus. If the run is stopped,
-/// the power of particles that did not start stays unshot. The caller must save `state` in the checkpoint; this
-/// function saves the rest.
-std::uint64_t cast_particles(const Scene& scene, const Sequence& sequence, const LocalOptions& options,
-                             const RunControl& run, PowerState& state);
+/// the run. They are reflected with probability rho, and continue from a uniform point of the patch that they hit. Uses
+/// the remaining lines, to about 1 %, since the lengths of paths are random. The noise of Russian roulette goes into
+/// PowerState::surplus. If the run is stopped, the power of particles that did not start stays unshot. A Stage.
+void cast_particles(Run& run);
 
 } // namespace multipath

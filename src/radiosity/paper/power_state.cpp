@@ -64,12 +64,9 @@ void settle_losses(Rgb sources, Rgb absorbed, Rgb escaped, Rgb behind, PowerStat
 
 void add(const PowerBalance& part, double share, PowerBalance& sum)
 {
-    sum.emitted += share * part.emitted;
-    sum.absorbed += share * part.absorbed;
-    sum.unshot += share * part.unshot;
-    sum.escaped += share * part.escaped;
-    sum.behind += share * part.behind;
-    sum.source += share * part.source;
+    for (Rgb PowerBalance::*power : {&PowerBalance::emitted, &PowerBalance::absorbed, &PowerBalance::unshot,
+                                     &PowerBalance::escaped, &PowerBalance::behind, &PowerBalance::source})
+        sum.*power += share * part.*power;
     sum.emitted_error = elementary::hypot(sum.emitted_error, share * part.emitted_error);
 }
 

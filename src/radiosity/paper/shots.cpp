@@ -45,6 +45,20 @@ double sent_share(double excess, double sent)
     return excess > 0.0 && sent < (1.0 - 1e-9) * excess ? sent / excess : 1.0;
 }
 
+/// Start of the systematic rounding to whole rays, in [0, 1).
+double rounding_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
+                       std::uint64_t seed, std::uint64_t pass)
+{
+    bool any_below_a_ray = false;
+    for (std::uint32_t i = 0; i < scene.patch_count() && !any_below_a_ray; ++i) {
+        const double excess = share_above(scene, state, threshold, i) * mean(state.unshot[i]);
+        any_below_a_ray = excess > 0.0 && excess < power_by_line;
+    }
+    return pass == 0 && !any_below_a_ray
+               ? 0.5
+               : bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
+}
+
 } // namespace
 
 double power_above(const Scene& scene, const PowerState& state, double threshold)
@@ -55,17 +69,18 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
     return excess;
 }
 
-std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule)
+std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
+                             std::uint64_t seed, std::uint64_t pass)
 {
     std::vector<Shot> shots;
-    Rgb excess;                  // [W]
-    double wanted = rule.offset; // cumulative number of rays, not rounded
+    Rgb excess;                                                                          // [W]
+    double wanted = rounding_offset(scene, state, threshold, power_by_line, seed, pass); // rays so far, not rounded
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double share = share_above(scene, state, rule.threshold, i);
+        const double share = share_above(scene, state, threshold, i);
         if (share == 0.0)
             continue;
         excess += share * state.unshot[i];
-        const double deserved = share * mean(state.unshot[i]) / rule.power_by_line;
+        const double deserved = share * mean(state.unshot[i]) / power_by_line;
         const std::uint64_t before = whole_part(wanted);
         wanted += deserved;
         if (const std::uint64_t rays = whole_part(wanted) - before; rays > 0) {
@@ -81,31 +96,13 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const 
     return shots;
 }
 
-double first_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
-                    std::uint64_t seed)
-{
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double excess = share_above(scene, state, threshold, i) * mean(state.unshot[i]);
-        if (excess > 0.0 && excess < power_by_line)
-            return random_offset(seed, 0);
-    }
-    return 0.5;
-}
-
-double random_offset(std::uint64_t seed, std::uint64_t pass)
-{
-    return bits_to_unit(random_bits(random_key(RandomStream::rounded_shots, seed), pass));
-}
-
 std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, double threshold, std::uint64_t rays,
                                   std::uint64_t seed)
 {
     const double excess = power_above(scene, state, threshold);
     if (rays == 0 || !(excess > 0.0))
         return {};
-    const double power_by_line = excess / static_cast<double>(rays);
-    return plan_shots(scene, state,
-                      {threshold, power_by_line, first_offset(scene, state, threshold, power_by_line, seed)});
+    return plan_shots(scene, state, threshold, excess / static_cast<double>(rays), seed, 0);
 }
 
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state)

@@ -17,32 +17,20 @@ struct Shot
     Rgb power_per_ray; ///< [W] `PowerByLine` of the paper (Castro, Martinez, Sbert 1998), as a colour
 };
 
-/// Which part of the unshot power is shot, and by how many rays.
-struct ShotRule
-{
-    double threshold = 0.0;     ///< [W/m^2] unshot radiosity that every patch keeps (threshold_radiosity)
-    double power_by_line = 0.0; ///< [W] wanted power of one ray, mean of the channels: `PowerByLine` of the paper
-    /// Start of the systematic rounding to whole rays (whole_part), in [0, 1): first_offset() or random_offset().
-    double offset = 0.5;
-};
-
 /// [W] Unshot power in excess of the threshold [W/m^2], summed over the patches, mean of the channels.
 double power_above(const Scene& scene, const PowerState& state, double threshold);
 
-/// The shots of one pass, in the order of the patches: every patch with unshot radiosity above the threshold shoots the
-/// excess (S1) (S2). A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up so that the
-/// mean over all offsets is n. If n >= 1, these rays carry the excess of the patch. If n < 1, the patch gets a single
-/// ray for a fraction n of the offsets, and this ray carries power_by_line. One factor per channel then multiplies the
-/// power of all rays, so that together they carry the whole excess; it is at most 2, so very few rays may carry less.
-std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, const ShotRule& rule);
-
-/// Offset of the first pass. 0.5 if the excess of every patch is worth a ray, so that the rays of a first shot are the
-/// same for every seed. Otherwise random_offset(seed, 0): with a fixed one, the same sources would never get a ray.
-double first_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
-                    std::uint64_t seed);
-
-/// Uniformly random offset in [0, 1) of pass number `pass`, which favours no patch.
-double random_offset(std::uint64_t seed, std::uint64_t pass);
+/// The shots of pass number `pass`, in the order of the patches: every patch with unshot radiosity above the threshold
+/// [W/m^2] shoots the excess (S1) (S2). `power_by_line` [W]: wanted power of one ray, mean of the channels, the
+/// `PowerByLine` of the paper. A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up
+/// systematically (whole_part) from an offset, so that the mean over all offsets is n. If n >= 1, these rays carry the
+/// excess of the patch. If n < 1, the patch gets a single ray for a fraction n of the offsets, and this ray carries
+/// power_by_line. One factor per channel then multiplies the power of all rays, so that together they carry the whole
+/// excess; it is at most 2, so very few rays may carry less. The offset is random, by seed and pass: with a fixed one,
+/// the same sources would never get a ray. But it is 0.5 in pass 0 if the excess of every patch is worth a ray, so that
+/// the rays of a first shot are the same for every seed.
+std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
+                             std::uint64_t seed, std::uint64_t pass);
 
 /// The shots of a first pass with a given total number of rays. Empty if `rays` is 0, or if no patch exceeds the
 /// threshold.

@@ -33,13 +33,6 @@ namespace {
 
 // Stages
 
-/// Distributes all unshot power by all remaining lines.
-void particles(Run& run)
-{
-    const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
-    run.solution.local_lines += cast_particles(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (L1)
-}
-
 void shots(Run& run)
 {
     run.add_shots(
@@ -127,44 +120,7 @@ void reuse(Run& run)
     if (few && run.shard.of > 1)
         throw SettingsError(run.scene.path() + ": so few lines per patch are not reused, and cannot be shared; "
                                                "expected more lines, or no shards");
-    (few ? particles : run.preparation.unoccluded.valid() ? reuse_pairs : reuse_rays)(run);
-}
-
-/// The first estimate for the Jacobi iterations.
-void ray_series(Run& run)
-{
-    const SeriesOptions series = series_before_iterations(run.first_local_item(), run.options.lines,
-                                                          run.options.bidirectional, run.options.seed);
-    run.solution.local_lines +=
-        send_series(run.scene, *run.sequence, series, run.control(1, 1), run.state); // (J1) (J2)
-}
-
-void ray_iterations(Run& run)
-{
-    const JacobiOptions jacobi{run.first_local_item(),    run.solution.local_lines, run.lines_left(),
-                               run.options.bidirectional, run.options.seed,         run.options.importance.get()};
-    run.solution.local_lines +=
-        iterate_by_rays(run.scene, *run.sequence, jacobi, run.control(1, 1), run.state); // (J1) (J2)
-    run.solved = true;
-}
-
-void bundle_iterations(Run& run)
-{
-    run.plan_global_lines();
-    const TransilluminationOptions bundles{run.first_local_item(), run.solution.global_lines, run.options.bundle,
-                                           run.options.seed};
-    run.solution.global_lines = run.solution.global_lines_cast =
-        iterate_by_bundles(run.scene, *run.sequence, bundles, run.control(1, 1), run.state); // (P1)
-    run.solved = true;
-}
-
-void walks(Run& run)
-{
-    const LocalOptions local{run.lines_left(), run.options.estimator, run.first_local_item(), run.options.seed};
-    const GatheringResult result =
-        gather_by_walks(run.scene, *run.sequence, local, run.control(1, 1), run.state); // (W1)
-    run.solution.local_lines += result.segments;
-    run.solved = result.solved;
+    (few ? cast_particles : run.preparation.unoccluded.valid() ? reuse_pairs : reuse_rays)(run);
 }
 
 // Preparation
@@ -212,11 +168,6 @@ void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation&
         preparation.lights = std::make_shared<const SceneLights>(scene, options.threads);
 }
 
-std::uint64_t no_lines(const Scene&)
-{
-    return 0;
-}
-
 /// Pairs of the table that no line has met are taken as free or hidden like those around them, so replicates with few
 /// lines all have the same error.
 std::uint64_t lines_to_trust_reuse(const Scene& scene)
@@ -228,52 +179,45 @@ std::uint64_t lines_to_trust_reuse(const Scene& scene)
 
 // The table
 
-constexpr std::uint64_t any_lines = ~std::uint64_t{0};
-
-constexpr Stages only_particles = {particles};
+constexpr Stages only_particles = {cast_particles};
 constexpr Stages shots_and_walk = {shots, global_pass};
 constexpr Stages shots_and_reuse = {shots, rays_to_sky, reuse};
 constexpr Stages rays_and_iterations = {ray_series, ray_iterations};
 constexpr Stages shots_and_bundles = {shots, bundle_iterations};
-constexpr Stages only_walks = {walks};
+constexpr Stages only_walks = {gather_by_walks};
 
 constexpr MethodInfo method_table[] = {
     {"local",
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
-     "estimator", Chords::sphere, Shards::averaged, any_lines, no_lines, only_particles, nullptr, FirstShot::none,
-     "local"},
+     "estimator", only_particles, "local"},
     {"global",
      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that a "
      "line joins exchanges power.",
-     "bidirectional line-order line-orders chords", Chords::sphere, Shards::averaged, any_lines, no_lines,
-     shots_and_walk, nullptr, FirstShot::none, "global"},
+     "bidirectional line-order line-orders chords", shots_and_walk, "global"},
     {"first-shot", "Rays from the sources distribute the direct light; global lines the rest.",
-     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, shots_and_walk, prepare_ratio, FirstShot::plain, "first-shot global"},
+     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", shots_and_walk,
+     "first-shot global", prepare_ratio, FirstShot::plain},
     {"extended",
      "Rays also from what the sources light, pass by pass, until the unshot power is spread evenly; then global "
      "lines. For lamps that light little of the room directly.",
-     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, shots_and_walk, prepare_ratio, FirstShot::extended,
-     "first-shot extended:PASS global"},
+     "ratio power-per-line threshold steps bidirectional line-order line-orders chords", shots_and_walk,
+     "first-shot extended:PASS global", prepare_ratio, FirstShot::extended},
     {"reuse",
      "Lines are only counted: which patches they join, and what is in their way. A linear system then gives the light. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct denoise important power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot",
-     Chords::box, Shards::added, 0xffffffffu, lines_to_trust_reuse, shots_and_reuse, prepare_pairs, FirstShot::extended,
-     "", "extended"},
+     shots_and_reuse, "", prepare_pairs, FirstShot::extended, Chords::box, Shards::added, lines_to_trust_reuse,
+     "extended"},
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
-     "bidirectional important", Chords::sphere, Shards::averaged, any_lines, no_lines, rays_and_iterations, nullptr,
-     FirstShot::none, "iteration"},
+     "bidirectional important", rays_and_iterations, "iteration"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",
-     "ratio power-per-line threshold bundle", Chords::sphere, Shards::averaged, any_lines, no_lines, shots_and_bundles,
-     prepare_ratio, FirstShot::plain, "first-shot bundle"},
-    {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", Chords::sphere,
-     Shards::averaged, any_lines, no_lines, only_walks, nullptr, FirstShot::none, "gathering"}};
+     "ratio power-per-line threshold bundle", shots_and_bundles, "first-shot bundle", prepare_ratio, FirstShot::plain},
+    {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", only_walks,
+     "gathering"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

@@ -37,18 +37,18 @@ struct MethodInfo
     /// Command line options of this method that not all methods have, separated by spaces. The entry
     /// "steps:direct=shoot" means that the option `steps` has an effect only if the option `direct` is `shoot`.
     std::string_view options;
-    Chords chords; ///< default distribution of the global lines
-    Shards shards;
-    std::uint64_t most_lines; ///< maximum number of lines of one run
-    /// Lines per patch that each replicate needs before the scatter of replicates is a good estimate of the error.
-    std::uint64_t (*lines_per_patch)(const Scene&);
     Stages stages;
+    /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`. In
+    /// "extended:PASS", PASS stands for the number of a pass.
+    std::string_view traced;
     /// Sets the part of Preparation (solve.h) that the method needs. Null if it needs none.
     void (*prepare)(const Scene&, const SolveOptions&, Preparation&) = nullptr;
     FirstShot first_shot = FirstShot::none; ///< of `reuse`, if the option `direct` is `shoot`
-    /// Stages whose lines can be traced one by one, in order, separated by spaces: the values of `explain --stage`. In
-    /// "extended:PASS", PASS stands for the number of a pass.
-    std::string_view traced = {};
+    Chords chords = Chords::sphere;         ///< default distribution of the global lines
+    Shards shards = Shards::averaged;
+    /// Lines per patch that each replicate needs before the scatter of replicates is a good estimate of the error. Null
+    /// if any number will do.
+    std::uint64_t (*lines_per_patch)(const Scene&) = nullptr;
     /// For a method whose `traced` is empty: name of the method whose lines the interactive page shows instead.
     std::string_view traced_as = {};
 };

@@ -17,109 +17,81 @@ namespace multipath {
 
 namespace {
 
-/// The replicates of one round, with the result of those that are finished.
-class ReplicateRun
+SolveOptions replicate_options(SolveOptions options, int replicates, std::uint64_t round, std::uint64_t number)
 {
-public:
-    ReplicateRun(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t round)
-        : scene_(scene), options_(options), replicates_(replicates), round_(round), means_(scene.patch_count())
-    {
-        if (options.lines < static_cast<std::uint64_t>(replicates))
-            throw SettingsError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
-        sum_.radiosity.resize(scene.patch_count());
-        sum_.unshot.resize(scene.patch_count());
-    }
+    const auto parts = static_cast<std::uint64_t>(replicates);
+    options.sequence = randomised_name(options.sequence);
+    options.lines = options.lines / parts + (number < options.lines % parts ? 1 : 0);
+    options.denoise = false; // only the mean is: blocks chosen for each replicate would give all the same bias
+    return independent_run(options, RandomStream::replicates, options.seed, (round << 32) + number, 0);
+}
 
-    Solution solve_all(const Preparation& preparation, const ProgressCallback& progress, Checkpoint* checkpoint)
-    {
-        const Checkpoint::Part part(checkpoint, "replicates", [this](Archive& archive) { visit(archive); });
-        while (finished_ < static_cast<std::uint64_t>(replicates_)) {
-            const auto show = [&](double done) {
-                progress((static_cast<double>(finished_) + done) / static_cast<double>(replicates_));
-            };
-            Solution one = solve(scene_, preparation, options_of(finished_), show, checkpoint);
-            if (checkpoint && checkpoint->stopped()) {
-                if (finished_ == 0)
-                    return one;
-                break;
-            }
-            add_one(one);
-        }
-        return result(options_.denoise && preparation.lights);
-    }
-
-private:
-    void visit(Archive& archive)
-    {
-        archive.value<std::uint64_t>("finished", finished_);
-        archive.list<double>("means", means_);
-        sum_.visit(archive, scene_.patch_count());
-    }
-
-    SolveOptions options_of(std::uint64_t replicate) const
-    {
-        const auto parts = static_cast<std::uint64_t>(replicates_);
-        SolveOptions options = options_;
-        options.sequence = randomised_name(options_.sequence);
-        options.lines = options_.lines / parts + (replicate < options_.lines % parts ? 1 : 0);
-        options.denoise =
-            false; // only the mean is denoised: blocks chosen for each replicate would give all the same bias
-        return independent_run(options, RandomStream::replicates, options_.seed, (round_ << 32) + replicate, 0);
-    }
-
-    void add_one(const Solution& one)
-    {
-        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
-            means_[i].add(one.radiosity[i]);
-        add(one, 1.0 / replicates_, sum_);
-        if (finished_ == 0)
-            sum_.shot_passes = one.shot_passes;
-        ++finished_;
-    }
-
-    Solution result(bool denoised) const
-    {
-        Solution solution = sum_;
-        if (finished_ < static_cast<std::uint64_t>(replicates_)) {
-            const double scale = static_cast<double>(replicates_) / static_cast<double>(finished_);
-            solution.balance = {};
-            add(sum_.balance, scale, solution.balance);
-            for (Rgb& unshot : solution.unshot)
-                unshot = scale * unshot;
-        }
-        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
-            solution.radiosity[i] = means_[i].mean();
-        solution.replicates = static_cast<int>(finished_);
-        if (finished_ > 1) {
-            for (const MeanOf<Rgb>& patch : means_)
-                solution.standard_error.push_back(patch.standard_error());
-            if (denoised)
-                denoise_mean(solution);
-            solution.relative_standard_error =
-                std::sqrt(expected_relative_square(scene_.weights(), solution.radiosity, solution.standard_error));
-        }
-        return solution;
-    }
-
-    void denoise_mean(Solution& solution) const
-    {
-        std::vector<Rgb> variance = vector_with_capacity<Rgb>(scene_.patch_count());
+/// Gives the mean of the replicates standard errors.
+void add_errors(const Scene& scene, const std::vector<MeanOf<Rgb>>& means, bool denoised, int threads,
+                Solution& solution)
+{
+    for (const MeanOf<Rgb>& patch : means)
+        solution.standard_error.push_back(patch.standard_error());
+    if (denoised) {
+        std::vector<Rgb> variance = vector_with_capacity<Rgb>(scene.patch_count());
         for (const Rgb& error : solution.standard_error)
             variance.push_back(error * error);
-        denoise(scene_, options_.threads, solution.radiosity, variance);
-        for (std::uint32_t i = 0; i < scene_.patch_count(); ++i)
+        denoise(scene, threads, solution.radiosity, variance);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             solution.standard_error[i] = square_root(variance[i]);
     }
+    solution.relative_standard_error =
+        std::sqrt(expected_relative_square(scene.weights(), solution.radiosity, solution.standard_error));
+}
 
-    const Scene& scene_;
-    const SolveOptions& options_;
-    int replicates_;
-    std::uint64_t round_;
-    std::uint64_t finished_ = 0;
-    std::vector<MeanOf<Rgb>> means_; ///< radiosity of each patch
-    Solution sum_; ///< over the finished replicates, each divided by their planned number; radiosity and its errors are
-                   ///< in means_
-};
+/// The replicates of one round.
+Solution solve_round(const Scene& scene, const Preparation& preparation, const SolveOptions& options, int replicates,
+                     std::uint64_t round, const ProgressCallback& progress, Checkpoint* checkpoint)
+{
+    if (options.lines < static_cast<std::uint64_t>(replicates))
+        throw SettingsError(std::to_string(replicates) + " replicates need as many lines; expected more lines");
+    std::uint64_t finished = 0;
+    std::vector<MeanOf<Rgb>> means(scene.patch_count()); // radiosity of each patch
+    Solution sum; // over the finished replicates, each divided by their planned number
+    sum.radiosity.resize(scene.patch_count());
+    sum.unshot.resize(scene.patch_count());
+    const Checkpoint::Part part(checkpoint, "replicates", [&](Archive& archive) {
+        archive.value<std::uint64_t>("finished", finished);
+        archive.list<double>("means", means);
+        sum.visit(archive, scene.patch_count());
+    });
+    while (finished < static_cast<std::uint64_t>(replicates)) {
+        const auto show = [&](double done) {
+            progress((static_cast<double>(finished) + done) / static_cast<double>(replicates));
+        };
+        const SolveOptions of_one = replicate_options(options, replicates, round, finished);
+        const Solution one = solve(scene, preparation, of_one, show, checkpoint);
+        if (checkpoint && checkpoint->stopped()) {
+            if (finished == 0)
+                return one;
+            break;
+        }
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            means[i].add(one.radiosity[i]);
+        add(one, 1.0 / replicates, sum);
+        if (finished++ == 0)
+            sum.shot_passes = one.shot_passes;
+    }
+    Solution solution = sum;
+    if (finished < static_cast<std::uint64_t>(replicates)) {
+        const double scale = static_cast<double>(replicates) / static_cast<double>(finished);
+        solution.balance = {};
+        add(sum.balance, scale, solution.balance);
+        for (Rgb& unshot : solution.unshot)
+            unshot = scale * unshot;
+    }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        solution.radiosity[i] = means[i].mean();
+    solution.replicates = static_cast<int>(finished);
+    if (finished > 1)
+        add_errors(scene, means, options.denoise && preparation.lights, options.threads, solution);
+    return solution;
+}
 
 /// Prepares for the lines of a single replicate, which are few: a table that pays for all lines may not pay for these.
 Preparation prepare_replicates(const Scene& scene, SolveOptions options, std::uint64_t lines, int replicates)
@@ -141,13 +113,14 @@ SolveOptions independent_run(SolveOptions options, RandomStream stream, std::uin
 
 std::uint64_t lines_for_error_estimate(const Scene& scene, Method method, int replicates)
 {
-    return method->lines_per_patch(scene) * scene.patch_count() * static_cast<std::uint64_t>(replicates);
+    const std::uint64_t lines_per_patch = method->lines_per_patch ? method->lines_per_patch(scene) : 0;
+    return lines_per_patch * scene.patch_count() * static_cast<std::uint64_t>(replicates);
 }
 
 Solution solve_replicates(const Scene& scene, const Preparation& preparation, const SolveOptions& options,
                           int replicates, const ProgressCallback& progress, Checkpoint* checkpoint)
 {
-    return ReplicateRun(scene, options, replicates, 0).solve_all(preparation, progress, checkpoint);
+    return solve_round(scene, preparation, options, replicates, 0, progress, checkpoint);
 }
 
 Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
@@ -167,7 +140,7 @@ Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int re
         SolveOptions round_options = options;
         round_options.lines = record.goal;
         Solution solution =
-            ReplicateRun(scene, round_options, replicates, record.pieces).solve_all(preparation, progress, checkpoint);
+            solve_round(scene, preparation, round_options, replicates, record.pieces, progress, checkpoint);
         if (checkpoint && checkpoint->stopped())
             return record.pieces > 0 ? record.solution : solution;
         solution.all_lines += record.solution.all_lines;

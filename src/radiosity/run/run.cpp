@@ -43,9 +43,10 @@ void require_sound(const Scene& scene, const Solution& solution)
 
 std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& options, const GlobalLines& lines)
 {
-    if (options.lines > options.method->most_lines)
+    constexpr std::uint64_t most_counted = 0xffffffffu; // counts have 32 bits
+    if (options.method->shards == Shards::added && options.lines > most_counted)
         throw SettingsError("the method " + std::string(options.method->name) + " counts at most " +
-                            std::to_string(options.method->most_lines) + " lines; expected fewer");
+                            std::to_string(most_counted) + " lines; expected fewer");
     // Checks for as many items as any split of the lines may need, so that a short sequence is refused before the work.
     return plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines)).first_shot;
 }
@@ -134,7 +135,8 @@ RunControl Run::control(std::uint64_t lines_to_come, std::uint64_t charged, Shar
     const double charge = static_cast<double>(charged) / static_cast<double>(std::max<std::uint64_t>(1, lines_to_come));
     const auto count = [this, charge](std::uint64_t counted) {
         done_ += charge * static_cast<double>(counted);
-        progress_(std::min(1.0, done_ / static_cast<double>(options.lines)));
+        if (progress_)
+            progress_(std::min(1.0, done_ / static_cast<double>(options.lines)));
     };
     return {options.threads, count, checkpoint_, of_shards};
 }

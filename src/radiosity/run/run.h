@@ -14,10 +14,10 @@ namespace multipath {
 class Run
 {
 public:
-    /// Keeps references to the arguments. Throws SettingsError if the sequence has too few items or the method cannot
-    /// take so many lines, std::invalid_argument for a sequence that cannot be made.
-    Run(const Scene& scene, const SolveOptions& options, const Preparation& preparation,
-        const ProgressCallback& progress, Checkpoint* checkpoint, Shard shard);
+    /// Keeps references to scene and options. `progress` may be empty. Throws SettingsError if the sequence has too few
+    /// items or the method cannot take so many lines, std::invalid_argument for a sequence that cannot be made.
+    Run(const Scene& scene, const SolveOptions& options, const Preparation& preparation = {},
+        const ProgressCallback& progress = {}, Checkpoint* checkpoint = nullptr, Shard shard = {});
 
     /// Carries out all stages, from the first one that the checkpoint does not contain as finished. If the checkpoint
     /// stops the run, the result is that of the work so far. If no stage has found a solution or cast a global line by
@@ -28,7 +28,7 @@ public:
 
     const Scene& scene;
     const SolveOptions& options;
-    const Preparation& preparation;
+    const Preparation preparation;
     const Shard shard;
     const std::unique_ptr<const Sequence> sequence;
     const GlobalLines lines;
@@ -73,7 +73,7 @@ private:
     void send_the_rest();
     Solution finish();
 
-    const ProgressCallback& progress_;
+    const ProgressCallback progress_;
     Checkpoint* checkpoint_;
     std::uint64_t stages_done_ = 0;
     std::uint64_t local_lines_before_ = 0; ///< number of local lines when the present stage began

@@ -20,17 +20,16 @@ namespace {
 void add_up_pair_counts(const std::vector<Archive*>& shards, std::uint32_t patches, Archive& sum)
 {
     PairCounts counts(patches);
-    PairCounts shard(patches);
-    std::vector<ShardRange> ranges(shards.size());
-    for (std::size_t k = 0; k < shards.size(); ++k) {
-        const Archive::Inner inner(*shards[k], "pair counts");
-        ranges[k].visit(*shards[k]);
-        shard.visit(*shards[k]);
-        counts += shard;
+    PairCounts shard_counts(patches);
+    std::vector<ShardRange> ranges;
+    for (Archive* const shard : shards) {
+        const Archive::Inner inner(*shard, "pair counts");
+        ranges.emplace_back().visit(*shard);
+        shard_counts.visit(*shard);
+        counts += shard_counts;
     }
     const Archive::Inner inner(sum, "pair counts");
-    ShardRange whole = union_of(ranges);
-    whole.visit(sum);
+    union_of(ranges).visit(sum);
     counts.visit(sum);
 }
 
@@ -40,31 +39,32 @@ void join_rays(const std::vector<Archive*>& shards, std::uint32_t patches, int t
 {
     LineCounts counts(patches);
     std::vector<ShadowRaySums> shadow_ray_sums;
-    std::vector<ShardRange> light_ranges(shards.size());
-    std::vector<ShardRange> hemisphere_ranges(shards.size());
+    std::vector<ShardRange> light_ranges;
+    std::vector<ShardRange> hemisphere_ranges;
     const Blocks blocks = GatheredLight::blocks(patches);
-    for (std::size_t k = 0; k < shards.size(); ++k) {
-        const Archive::Inner inner(*shards[k], "balanced reuse");
-        shards[k]->object("to lights", light_ranges[k]);
-        shards[k]->object("hemisphere", hemisphere_ranges[k]);
-        std::vector<ShadowRaySums> shard;
-        shards[k]->optional_list<double>("sights", shard);
-        if (k == 0)
-            shadow_ray_sums = shard;
-        if (shard.size() != shadow_ray_sums.size() || light_ranges[k].end > blocks.count())
+    for (Archive* const shard : shards) {
+        const Archive::Inner inner(*shard, "balanced reuse");
+        shard->object("to lights", light_ranges.emplace_back());
+        shard->object("hemisphere", hemisphere_ranges.emplace_back());
+        std::vector<ShadowRaySums> shard_sums;
+        shard->optional_list<double>("sights", shard_sums);
+        if (light_ranges.size() == 1)
+            shadow_ray_sums = shard_sums;
+        const ShardRange range = light_ranges.back();
+        if (shard_sums.size() != shadow_ray_sums.size() || range.end > blocks.count())
             throw ArchiveError("the shards do not fit together; expected all shards of one run");
-        for (std::uint64_t i = blocks.first(light_ranges[k].first); i < blocks.first(light_ranges[k].end); ++i)
-            if (i < shard.size()) // empty if the light of the sources was distributed before
-                shadow_ray_sums[i] = shard[i];
+        for (std::uint64_t i = blocks.first(range.first); i < blocks.first(range.end); ++i)
+            if (i < shard_sums.size()) // empty if the light of the sources was distributed before
+                shadow_ray_sums[i] = shard_sums[i];
         LineCounts shard_counts(patches);
-        shards[k]->object("fresh counts", shard_counts);
+        shard->object("fresh counts", shard_counts);
         counts.add(std::move(shard_counts), threads);
     }
     const Archive::Inner inner(sum, "balanced reuse");
-    ShardRange whole = union_of(light_ranges);
-    sum.object("to lights", whole);
-    whole = union_of(hemisphere_ranges);
-    sum.object("hemisphere", whole);
+    ShardRange lights = union_of(light_ranges);
+    ShardRange hemisphere = union_of(hemisphere_ranges);
+    sum.object("to lights", lights);
+    sum.object("hemisphere", hemisphere);
     sum.optional_list<double>("sights", shadow_ray_sums);
     sum.object("fresh counts", counts);
 }
@@ -74,12 +74,12 @@ void join_rows(const std::vector<Archive*>& shards, std::uint32_t patches, Archi
 {
     ExchangeEstimate all{PairMatrix<float>(patches), PairMatrix<float>(patches)};
     ExchangeEstimate shard{PairMatrix<float>(patches), PairMatrix<float>(patches)};
-    std::vector<ShardRange> ranges(shards.size());
-    for (std::size_t k = 0; k < shards.size(); ++k) {
-        shards[k]->object("pair rays", ranges[k]);
-        shards[k]->object("line reuse", shard);
-        const std::uint64_t end = std::min<std::uint64_t>(ranges[k].end, patches);
-        for (auto i = static_cast<std::uint32_t>(std::min<std::uint64_t>(ranges[k].first, end)); i < end; ++i) {
+    std::vector<ShardRange> ranges;
+    for (Archive* const archive : shards) {
+        archive->object("pair rays", ranges.emplace_back());
+        archive->object("line reuse", shard);
+        const std::uint64_t end = std::min<std::uint64_t>(ranges.back().end, patches);
+        for (auto i = static_cast<std::uint32_t>(std::min(ranges.back().first, end)); i < end; ++i) {
             std::copy_n(shard.exchange.row(i), i + 1, all.exchange.row(i));
             std::copy_n(shard.variance.row(i), i + 1, all.variance.row(i));
         }

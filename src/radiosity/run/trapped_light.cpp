@@ -10,7 +10,6 @@
 #include "transport/lines/local_rays.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace multipath {
@@ -100,9 +99,7 @@ std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
         if (depth == 4096)
             thin_out(particles, 4);
     }
-    if (particles.empty())
-        return std::nullopt;
-    return particles.front().at;
+    return particles.empty() ? std::nullopt : std::optional(particles.front().at);
 }
 
 void require_absorption(const Scene& scene)

@@ -84,7 +84,7 @@ TEST_CASE("steps bound the passes, and a threshold above everything shoots nothi
 
 // Rays for the power W in all, each of p, carry W exactly. A patch then shoots what it deserves on the average over the
 // rounding, but for the bias of dividing by a sum: both that sum and the patch's share of it are off by about a ray at
-// most, which makes p^2 / W.
+// most, which makes p^2 / W. The rounding of one patch has a standard deviation of half a ray at most.
 TEST_CASE("rounding to whole rays keeps all power, and its bias is a small part of one ray")
 {
     SceneBuilder builder;
@@ -92,19 +92,20 @@ TEST_CASE("rounding to whole rays keeps all power, and its bias is a small part 
     const std::uint32_t bright = builder.grey(0.5, 2.7);
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {faint, bright, faint, bright, faint, faint}).scene(1.0);
     const PowerState state(scene);
-    constexpr int offsets = 1000;
+    constexpr int offsets = 20000;
     for (const double power_by_line : {1.0, 0.5, 0.07}) {
         std::vector<double> shot(6, 0.0);
-        for (int k = 0; k < offsets; ++k) {
+        for (std::uint64_t seed = 0; seed < offsets; ++seed) {
             double all = 0.0;
-            for (const Shot& s : plan_shots(scene, state, {0.0, power_by_line, (k + 0.5) / offsets})) {
+            for (const Shot& s : plan_shots(scene, state, 0.0, power_by_line, seed, 1)) {
                 shot[s.patch] += static_cast<double>(s.rays) * s.power_per_ray.g / offsets;
                 all += static_cast<double>(s.rays) * s.power_per_ray.g;
             }
             CHECK(all == doctest::Approx(6.6).epsilon(1e-12));
         }
         for (std::uint32_t i = 0; i < 6; ++i)
-            CHECK(std::abs(shot[i] - scene.emittance(i).g) <= power_by_line * power_by_line / 6.6);
+            CHECK(std::abs(shot[i] - scene.emittance(i).g) <=
+                  power_by_line * power_by_line / 6.6 + 4.5 * 0.5 * power_by_line / std::sqrt(offsets));
     }
 }
 
