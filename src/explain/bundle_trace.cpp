@@ -77,7 +77,7 @@ StageTrace trace_bundle(const Scene& scene, const SolveOptions& options, const T
     const JacobiIterations iterations(scene, start, run.state, static_cast<double>(rays));
     const BundlePlan plan = plan_bundles(run, rays);
     const std::uint64_t directions = directions_of(plan, iterations);
-    const std::uint64_t item = run.first_local_item() + rays;
+    const std::uint64_t item = run.next_item() + rays;
     const Item numbers = run.sequence->item(item);
     const Bundle bundle(scene.bounds(), numbers, plan.bundle);
     require_in_stage(range, bundle.count(), "lines along the first direction");

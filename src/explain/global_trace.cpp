@@ -2,13 +2,12 @@
 // not recorded.
 
 #include "base/text_format.h"
-#include "explain/first_stage_run.h"
 #include "explain/stage_trace.h"
 #include "explain/trace_lines.h"
 #include "explain/words.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/paper/power_walk.h"
-#include "radiosity/run/item_plan.h"
+#include "radiosity/run/run.h"
 
 #include <algorithm>
 
@@ -16,14 +15,19 @@ namespace multipath {
 
 namespace {
 
-std::string before_the_pass(const FirstStageRun& before)
+std::string before_the_pass(const Run& run)
 {
-    const std::string unshot =
-        watts(before.unshot) + " on " + counted(before.unshot_patches, "patch", "patches") + ". ";
-    if (before.passes.empty())
+    Rgb power;
+    std::size_t patches = 0;
+    for (const Rgb unshot : run.state.unshot) {
+        power += unshot;
+        patches += mean(unshot) > 0.0 ? 1 : 0;
+    }
+    const std::string unshot = watts(power) + " on " + counted(patches, "patch", "patches") + ". ";
+    if (run.solution.shot_passes.empty())
         return "No rays are shot first: all power of the sources is unshot when the global lines begin, " + unshot;
-    return "Before it, " + counted(before.passes.size(), "pass", "passes") + " of shots took " +
-           grouped(before.local_lines) +
+    return "Before it, " + counted(run.solution.shot_passes.size(), "pass", "passes") + " of shots took " +
+           grouped(run.solution.local_lines) +
            " of the lines. The power that patches reflected from them and that the sources kept is unshot: " + unshot;
 }
 
@@ -131,17 +135,18 @@ void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& wal
 }
 
 /// The stage without its lines.
-StageTrace global_stage(const Scene& scene, const SolveOptions& options, const FirstStageRun& before)
+StageTrace global_stage(const Run& run, double crossings_per_area)
 {
+    const bool from_box = chords_of(run.options) == Chords::box;
     StageTrace trace;
     trace.title = "Lines of the global pass";
-    trace.context = {before_the_pass(before) + "The pass distributes it with " +
-                         counted(before.lines_charged, "global line", "global lines") +
-                         lines_drawn(chords_of(options) == Chords::box, before.lines_cast),
-                     power_sent(scene, before.crossings_per_area, options.bidirectional)};
+    trace.context = {before_the_pass(run) + "The pass distributes it with " +
+                         counted(run.solution.global_lines, "global line", "global lines") +
+                         lines_drawn(from_box, run.solution.global_lines_cast),
+                     power_sent(run.scene, crossings_per_area, run.options.bidirectional)};
     trace.kind = "line";
     trace.from_outside = true;
-    trace.count = before.lines_cast;
+    trace.count = run.solution.global_lines_cast;
     return trace;
 }
 
@@ -149,22 +154,22 @@ StageTrace global_stage(const Scene& scene, const SolveOptions& options, const F
 
 StageTrace trace_global_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const GlobalLines lines(scene.bounds(), chords_of(options));
-    PowerState state(scene);
-    const FirstStageRun before = run_first_stage(scene, *sequence, lines, options, state);
-    require_in_stage(range, before.lines_cast, "global lines");
-    StageTrace trace = global_stage(scene, options, before);
+    Run run(scene, options);
+    options.method->stages.front()(run); // the first shot
+    run.plan_global_lines();
+    const std::uint64_t lines_cast = run.solution.global_lines_cast;
+    require_in_stage(range, lines_cast, "global lines");
+    const double crossings_per_area = run.lines.expected_crossings(1.0, lines_cast); // (G1)
+    StageTrace trace = global_stage(run, crossings_per_area);
 
-    const ItemPlan items = plan_items(*sequence, options.skip, before.local_lines, before.lines_cast);
-    const ShuffledOrder order = walking_order(*sequence, options.line_order, items.global_pass, before.lines_cast);
-    PowerWalk walk(scene, before.crossings_per_area, options.bidirectional, state);
+    const ShuffledOrder order = walking_order(*run.sequence, options.line_order, run.next_item(), lines_cast);
+    PowerWalk walk(scene, crossings_per_area, options.bidirectional, run.state);
     std::vector<Hit> hits;
     std::vector<Segment> segments;
     for (std::uint64_t n = 0; n < range.first + range.count; ++n) {
-        const std::uint64_t item = order.item_at(items.global_pass + n);
-        const LineOrigin origin{n, item, sequence->item(item)};
-        const Line line = lines.line(origin.numbers);
+        const std::uint64_t item = order.item_at(run.next_item() + n);
+        const LineOrigin origin{n, item, run.sequence->item(item)};
+        const Line line = run.lines.line(origin.numbers);
         scene.intersector().all_hits(line, hits);
         if (range.includes(n)) {
             trace.lines.push_back(through_scene(scene, origin, line, line.at(1.0), hits));

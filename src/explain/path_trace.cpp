@@ -42,14 +42,13 @@ template <class Carried>
 void trace_paths(const Scene& scene, const SolveOptions& options, const Particles& particles, const TracedRange& range,
                  StageTrace& trace, const Carried& carried)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
+    const Run run(scene, options);
     trace.count = particles.count();
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         TracedLine path;
-        path.origin = {n, first_item + n, sequence->item(first_item + n)};
+        path.origin = {n, run.first_item + n, run.sequence->item(run.first_item + n)};
         ParticlePaths paths;
-        particles.follow(*sequence, first_item, n, 1, paths);
+        particles.follow(*run.sequence, run.first_item, n, 1, paths);
         for (const ParticleStep& step : paths.steps) {
             const std::string ends = append_step(scene, step, path.notes.size() + 1, path);
             path.notes.push_back(ends + carried(step, paths.steps.front().from, path));

@@ -9,6 +9,7 @@
 #include "radiosity/paper/extended_first_shot.h"
 #include "radiosity/paper/first_stage.h"
 #include "radiosity/paper/line_budget.h"
+#include "radiosity/run/run.h"
 #include "transport/lines/local_rays.h"
 
 namespace multipath {
@@ -88,9 +89,7 @@ StageTrace shot_stage(const std::vector<ShotPass>& passes, std::size_t pass, std
 
 StageTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, const TracedRange& range)
 {
-    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    const std::uint64_t first_item = first_item_of(scene, *sequence, options);
-
+    Run run(scene, options);
     std::vector<TracedLine> rays;
     std::size_t shooters = 0;
     std::size_t passes_begun = 0;
@@ -98,11 +97,10 @@ StageTrace trace_shot_pass(const Scene& scene, const SolveOptions& options, cons
         if (passes_begun++ != range.pass)
             return;
         shooters = shots.size();
-        rays = trace_rays(scene, *sequence, first_of_pass, shots, state, range);
+        rays = trace_rays(scene, *run.sequence, first_of_pass, shots, state, range);
     };
-    PowerState state(scene);
-    const std::vector<ShotPass> passes =
-        shoot_first(scene, *sequence, first_item, options, {options.threads}, state, observe);
+    shoot_first(run, observe);
+    const std::vector<ShotPass>& passes = run.solution.shot_passes;
     require_pass(passes, range.pass);
     StageTrace trace = shot_stage(passes, range.pass, shooters, options.threshold.value_or(threshold_radiosity(scene)));
     trace.lines = rays;

@@ -2,8 +2,6 @@
 
 #include "base/errors.h"
 #include "explain/words.h"
-#include "radiosity/run/item_plan.h"
-#include "transport/lines/global_lines.h"
 #include "transport/lines/local_rays.h"
 
 #include <optional>
@@ -15,12 +13,6 @@ void require_in_stage(const TracedRange& range, std::uint64_t lines, const char*
     if (range.first >= lines || range.count > lines - range.first)
         throw SettingsError("this stage has " + std::to_string(lines) + " " + what + ", but number " +
                             std::to_string(range.first + range.count) + " is asked for");
-}
-
-std::uint64_t first_item_of(const Scene& scene, const Sequence& sequence, const SolveOptions& options)
-{
-    const GlobalLines lines(scene.bounds(), chords_of(options));
-    return plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines)).first_shot;
 }
 
 void append_ray(const Scene& scene, std::uint32_t from, const Line& ray, std::uint32_t to, TracedLine& line)

@@ -11,9 +11,6 @@ namespace multipath {
 /// lines in the message, such as "global lines".
 void require_in_stage(const TracedRange& range, std::uint64_t lines, const char* what);
 
-/// Index of the first item that the run does not skip.
-std::uint64_t first_item_of(const Scene& scene, const Sequence& sequence, const SolveOptions& options);
-
 /// Appends a ray from a patch to the next surface, where it arrives at `to`. A ray that leaves the scene ends after a
 /// fifth of the diagonal of the scene.
 void append_ray(const Scene& scene, std::uint32_t from, const Line& ray, std::uint32_t to, TracedLine& line);

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/text_format.h"
 #include "radiosity/paper/first_stage.h"
+#include "radiosity/run/run.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
@@ -55,9 +56,9 @@ StageTrace tell_all(const Scene& scene, const SolveOptions& options)
 /// Solves by what is told: what the transfers bring, added up in their order to what the first stage brought.
 std::vector<Rgb> radiosity_told(const Scene& scene, const SolveOptions& options, const StageTrace& trace)
 {
-    PowerState state(scene);
-    const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
+    Run solver(scene, options);
+    shoot_first(solver);
+    PowerState& state = solver.state;
     std::vector<Rgb> received(scene.patch_count());
     for (const TracedLine& line : trace.lines)
         for (const Transfer& transfer : line.transfers)

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "radiosity/paper/first_stage.h"
+#include "radiosity/run/run.h"
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -40,10 +41,10 @@ SolveOptions run(Method method)
 /// The state of the run after its first stage.
 PowerState state_after(const Scene& scene, const SolveOptions& options, std::vector<ShotPass>& passes)
 {
-    PowerState state(scene);
-    const auto sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
-    passes = shoot_first(scene, *sequence, options.skip, options, {options.threads}, state);
-    return state;
+    Run solver(scene, options);
+    shoot_first(solver);
+    passes = solver.solution.shot_passes;
+    return solver.state;
 }
 
 /// Tells every ray of every pass and compares the sum with what the run's first stage brought. Equal powers are added

@@ -86,7 +86,7 @@ TEST_CASE("executions of a sequence without a seed are its successive stretches,
     SolveOptions options = plan.curves[0].options;
     options.lines = 1000;
     const auto executed = [&](int number) {
-        return journal.find({"global sobol 4d sphere shuffled", 1000, number})->relative;
+        return journal.find(execution_name("global sobol 4d sphere shuffled", 1000, number))->relative;
     };
     CHECK(executed(0) == error_of(scene, options, reference));
     options.skip = 2048; // the cube's sphere has pi / 2 times its surface: 1571 chords for 1000 lines
@@ -132,7 +132,7 @@ TEST_CASE("executions of a random sequence are all different, also between numbe
     Journal journal;
     (void)run_study(scene, reference_of(scene), plan, journal, 1, silent);
     const auto executed = [&](std::uint64_t lines, int number) {
-        return journal.find({"global random 4d sphere shuffled", lines, number})->relative;
+        return journal.find(execution_name("global random 4d sphere shuffled", lines, number))->relative;
     };
     CHECK(executed(1000, 0) != executed(1000, 1));
     CHECK(executed(1000, 1) != executed(1000, 2));
@@ -168,7 +168,8 @@ TEST_CASE("runs that the journal knows are not repeated")
     Journal journal;
     for (const std::uint64_t lines : plan.line_counts)
         for (const int number : {0, 1})
-            journal.add({"global sobol 4d sphere shuffled", lines, number}, {600, 400, 8.0, 2.0 + number, 5.0});
+            journal.add(execution_name("global sobol 4d sphere shuffled", lines, number),
+                        {lines, 600, 400, 8.0, 2.0 + number, 0.0, 5.0});
     int reports = 0;
     const Study study = run_study(scene, reference_of(scene), plan, journal, 2, [&](double) { ++reports; });
     CHECK(reports == 0);
@@ -191,7 +192,8 @@ TEST_CASE("a point less than ten times above the error of the reference is left 
     Journal journal;
     const double errors[] = {8e-2, 4e-2, 2e-2, 0.999e-2};
     for (std::size_t k = 0; k < 4; ++k)
-        journal.add({"global sobol 4d sphere shuffled", plan.line_counts[k], 0}, {0, 1, 1.0, errors[k], 1.0});
+        journal.add(execution_name("global sobol 4d sphere shuffled", plan.line_counts[k], 0),
+                    {plan.line_counts[k], 0, 1, 1.0, errors[k], 0.0, 1.0});
     const Curve found = run_study(scene, reference, plan, journal, 1, silent).curves[0];
     for (std::size_t k = 0; k < 4; ++k)
         CHECK(found.points[k].above_reference == (k < 3));
@@ -208,8 +210,9 @@ using namespace multipath;
 
 namespace {
 
-const ExecutionKey key{"global halton:2,7,3,5 4d sphere shuffled", 1u << 20, 3};
-const Execution execution{123, 456, 0.1, 1.0 / 3.0, 2.0 / 7.0};
+const std::string curve = "global halton:2,7,3,5 4d sphere shuffled";
+const std::string key = execution_name(curve, 1u << 20, 3);
+const CurvePoint execution{1u << 20, 123, 456, 0.1, 1.0 / 3.0, 0.0, 2.0 / 7.0};
 
 std::string text_of(const std::string& path)
 {
@@ -243,9 +246,9 @@ TEST_CASE("a journal gives back what was added, to the bit")
     CHECK(found->mean_square == execution.mean_square);
     CHECK(found->relative == execution.relative);
     CHECK(found->seconds == execution.seconds);
-    CHECK(!journal.find({key.curve, key.lines, 4}));
-    CHECK(!journal.find({key.curve, key.lines + 1, 3}));
-    CHECK(!journal.find({"global sobol 4d sphere shuffled", key.lines, 3}));
+    CHECK(!journal.find(execution_name(curve, 1u << 20, 4)));
+    CHECK(!journal.find(execution_name(curve, (1u << 20) + 1, 3)));
+    CHECK(!journal.find(execution_name("global sobol 4d sphere shuffled", 1u << 20, 3)));
 }
 
 TEST_CASE("wherever a journal is cut off, what is left of it is used, and it can be continued")
@@ -254,17 +257,17 @@ TEST_CASE("wherever a journal is cut off, what is left of it is used, and it can
     const std::string path = folder.path("runs.txt");
     {
         Journal journal(path, "identity");
-        journal.add({"a", 1, 0}, execution);
-        journal.add({"a", 2, 0}, execution);
+        journal.add("a 1 0", execution);
+        journal.add("a 2 0", execution);
     }
     const std::string whole = text_of(path);
-    const std::size_t second = whole.find("a\t2");
+    const std::size_t second = whole.find("a 2");
     for (std::size_t size = 0; size <= whole.size(); ++size) {
         write(path, whole.substr(0, size));
         Journal journal(path, "identity");
-        CHECK(journal.find({"a", 1, 0}).has_value() == (size + 1 >= second));
-        journal.add({"a", 3, 0}, execution);
-        CHECK(Journal(path, "identity").find({"a", 3, 0}));
+        CHECK(journal.find("a 1 0").has_value() == (size + 1 >= second));
+        journal.add("a 3 0", execution);
+        CHECK(Journal(path, "identity").find("a 3 0"));
     }
 }
 
@@ -274,15 +277,15 @@ TEST_CASE("a damaged run is not believed, the others are")
     const std::string path = folder.path("runs.txt");
     {
         Journal journal(path, "identity");
-        journal.add({"a", 1, 0}, execution);
-        journal.add({"a", 2, 0}, execution);
+        journal.add("a 1 0", execution);
+        journal.add("a 2 0", execution);
     }
     std::string text = text_of(path);
-    text[text.find("a\t1") + 8] ^= 1;
+    text[text.find("a 1") + 8] ^= 1;
     write(path, text);
     const Journal journal(path, "identity");
-    CHECK(!journal.find({"a", 1, 0}));
-    CHECK(journal.find({"a", 2, 0}));
+    CHECK(!journal.find("a 1 0"));
+    CHECK(journal.find("a 2 0"));
 }
 
 TEST_CASE("runs of another identity are not those of this study")

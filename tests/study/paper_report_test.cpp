@@ -118,22 +118,12 @@ PaperFindings findings_of_steps()
     return findings;
 }
 
-template <class Block>
-std::vector<Block> blocks(const Report& report)
-{
-    std::vector<Block> found;
-    for (const ReportBlock& block : report)
-        if (const Block* const one = std::get_if<Block>(&block))
-            found.push_back(*one);
-    return found;
-}
-
 /// The row of the table with this header that begins with this cell, without it.
 std::vector<std::string> row(const Report& report, const std::string& first_header, const std::string& first_cell)
 {
-    for (const ReportTable& table : blocks<ReportTable>(report))
-        for (const std::vector<std::string>& cells : table.rows)
-            if (table.header[0] == first_header && cells[0] == first_cell)
+    for (const ReportBlock& block : report)
+        for (const std::vector<std::string>& cells : block.table)
+            if (block.table[0][0] == first_header && cells[0] == first_cell)
                 return {cells.begin() + 1, cells.end()};
     return {};
 }
@@ -246,8 +236,8 @@ TEST_CASE("the report of the paper shows every figure that its commands draw onc
         if (file.substr(file.size() - 4) != ".csv")
             drawn.push_back(file);
     std::vector<std::string> shown;
-    for (const ReportFigures& figures : blocks<ReportFigures>(paper_report(findings)))
-        for (const ReportFigure& figure : figures.figures) {
+    for (const ReportBlock& block : paper_report(findings))
+        for (const ReportFigure& figure : block.figures) {
             shown.push_back(figure.file);
             CHECK(figure.command == findings.commands.at(figure.file));
             CHECK(figure.command.find(" -o " + figure.file) != std::string::npos);
@@ -287,9 +277,9 @@ TEST_CASE("the report's tables hold what was found, every row as many cells as i
     findings.five_cubes.report.ratio_first_shot = 0.85;
     findings.five_cubes.report.ratio_extended = 1.06;
     const Report report = paper_report(findings);
-    for (const ReportTable& table : blocks<ReportTable>(report))
-        for (const std::vector<std::string>& cells : table.rows)
-            CHECK(cells.size() == table.header.size());
+    for (const ReportBlock& block : report)
+        for (const std::vector<std::string>& cells : block.table)
+            CHECK(cells.size() == block.table[0].size());
     using Cells = std::vector<std::string>;
     CHECK(row(report, "this run", "program") == Cells{"multipath 1"});
     CHECK(row(report, "", "5CUBES") == Cells{"1,234", "0.577", "2.10", "0.670", "0.650", "0.850", "1.060"});
@@ -320,10 +310,11 @@ TEST_CASE("a page holds its figures and refers to nothing else")
     const ScratchFolder folder;
     folder.write("plot.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><title>plot</title></svg>\n");
     folder.write("picture.png", "foobar");
-    const Report report = {ReportHeading{1, "Title & more"}, ReportParagraph{"some `a < b` *and* 3 * 4"},
-                           ReportTable{{"x"}, {{"1"}, {"2"}}},
-                           ReportFigures{{{"plot.svg", "a plot", "multipath study"},
-                                          {"picture.png", "a \"picture\"", "multipath solve"}}}};
+    const Report report = {
+        {1, "Title & more"},
+        {0, "some `a < b` *and* 3 * 4"},
+        {0, "", {{"x"}, {"1"}, {"2"}}},
+        {0, "", {}, {{"plot.svg", "a plot", "multipath study"}, {"picture.png", "a \"picture\"", "multipath solve"}}}};
     const std::string html = report_html(report, folder.path(""), {"multipath 1", "command: multipath paper --quick"});
     CHECK(holds(html, "<title>Title &amp; more</title>"));
     CHECK(holds(html, "<meta name=\"multipath\" content=\"command: multipath paper --quick\">"));
@@ -339,15 +330,16 @@ TEST_CASE("a page holds its figures and refers to nothing else")
 TEST_CASE("a page without one of its figures is an error")
 {
     const ScratchFolder folder;
-    const Report report = {ReportFigures{{{"missing.svg", "", ""}}}};
+    const Report report = {{0, "", {}, {{"missing.svg", "", ""}}}};
     CHECK_THROWS_AS((void)report_html(report, folder.path(""), {}), InputError);
 }
 
 TEST_CASE("the same report as Markdown")
 {
-    const Report report = {ReportHeading{2, "Part"}, ReportParagraph{"took 3 s"},
-                           ReportTable{{"a", "b"}, {{"1|2", "3"}}},
-                           ReportFigures{{{"plot.svg", "a plot", "multipath study x"}}}};
+    const Report report = {{2, "Part"},
+                           {0, "took 3 s"},
+                           {0, "", {{"a", "b"}, {"1|2", "3"}}},
+                           {0, "", {}, {{"plot.svg", "a plot", "multipath study x"}}}};
     CHECK(report_markdown(report, {"command: multipath paper"}) == "## Part\n\n"
                                                                    "took 3 s\n\n"
                                                                    "| a | b |\n"

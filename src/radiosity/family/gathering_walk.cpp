@@ -164,7 +164,7 @@ void gather_by_walks(Run& run)
         const std::vector<Shot> shots = plan_walks(scene, walks_per_round, rounding_offset(round));
         WalkStage stage{scene,
                         *run.sequence,
-                        run.first_local_item() + first_walk,
+                        run.next_item() + first_walk,
                         run.options.estimator,
                         walks_of_round(run, shots, round),
                         gathered,

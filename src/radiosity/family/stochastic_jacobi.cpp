@@ -91,8 +91,6 @@ void JacobiIterations::visit(Archive& archive)
 
 namespace {
 
-constexpr std::uint64_t rays_together = 4096;
-
 /// Scales the values to the sum 1, unless all are 0.
 void normalise(std::vector<double>& shares)
 {
@@ -218,7 +216,7 @@ struct RayStage
         }
     }
 
-    Blocks lines() const { return {rays.rays(), rays_together}; }
+    Blocks lines() const { return {rays.rays(), rays_per_block}; }
     void trace(std::uint64_t number, Block& block) const
     {
         trace_range(lines().first(number), lines().length(number), block);
@@ -333,7 +331,7 @@ std::uint64_t send_series(Run& run, std::uint64_t lines, std::uint64_t most_line
         const double wanted = std::min(rays_per_power * power, static_cast<double>(most_lines - cast));
         const RayPlan plan =
             plan_rays(shares_of_rays(run.scene, state.unshot, 0.0), wanted, bits_to_unit(random_bits(key, passes)));
-        RayStage stage(run, run.first_local_item() + cast, bidirectional, plan, state.unshot, 0.0, 1.0);
+        RayStage stage(run, run.next_item() + cast, bidirectional, plan, state.unshot, 0.0, 1.0);
         if (run_stage("rays", stage, control) < stage.rays.rays())
             break;
         take_transfer(run.scene, stage.transfer, state);
@@ -389,14 +387,14 @@ IterationPlan plan_iterations(const Run& run, const std::vector<Rgb>& power)
             static_cast<std::uint32_t>(std::min<std::uint64_t>(16, run.lines_left() / 32 / scene.patch_count()));
         importance_rays = std::uint64_t{per_patch} * scene.patch_count();
         const std::vector<double> noise_factors =
-            per_patch > 0 ? importance->noise_factors(scene, *run.sequence, run.first_local_item(), per_patch,
-                                                      run.options.threads)
-                          : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
+            per_patch > 0
+                ? importance->noise_factors(scene, *run.sequence, run.next_item(), per_patch, run.options.threads)
+                : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
         favour(scene, *importance, noise_factors, power, shares);
     }
     const std::uint64_t lines = run.lines_left() - importance_rays;
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, run.options.seed), 0));
-    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.first_local_item() + importance_rays,
+    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.next_item() + importance_rays,
             importance_rays, importance_checksum};
 }
 

@@ -202,7 +202,7 @@ void bundle_iterations(Run& run)
             radiosity[i] = (1.0 / scene.area(i)) * radiosity[i];
         BundleStage stage{scene,
                           *run.sequence,
-                          run.first_local_item() + rays + done,
+                          run.next_item() + rays + done,
                           plan.bundle,
                           std::clamp<std::uint64_t>(lines / plan.bundle, 1, left),
                           std::move(radiosity),

@@ -10,7 +10,6 @@
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
-
 namespace multipath {
 
 namespace {

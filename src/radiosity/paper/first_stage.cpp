@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "radiosity/paper/direct_light.h"
 #include "radiosity/paper/line_budget.h"
+#include "radiosity/run/run.h"
 
 namespace multipath {
 
@@ -36,25 +37,27 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     return optimal_ratio(figures).value_or(1.0); // (3)
 }
 
-std::vector<ShotPass> shoot_first(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                  const SolveOptions& options, const RunControl& run, PowerState& state,
-                                  const PassObserver& observe)
+void shoot_first(Run& run, const PassObserver& observe)
 {
+    const SolveOptions& options = run.options;
     const FirstShot kind = first_shot_of(options);
     if (kind == FirstShot::none)
-        return {};
+        return;
     ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
-    shot.most_steps = kind == FirstShot::plain ? 1 : options.most_steps;     // the first pass is the first shot
+    shot.threshold = options.threshold.value_or(threshold_radiosity(run.scene)); // (4)
+    shot.most_steps = kind == FirstShot::plain ? 1 : options.most_steps;         // the first pass is the first shot
     shot.seed = options.seed;
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&
-        power_above(scene, state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
+        power_above(run.scene, run.state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
         throw SettingsError(
             "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
     if (!shot.power_by_line)
-        shot.lines = local_line_count(options.lines, ratio_for(scene, options));
-    return shoot_extended(scene, sequence, first_item, shot, run, state, observe); // (S1) (S2)
+        shot.lines = local_line_count(options.lines, ratio_for(run.scene, options));
+    run.solution.shot_passes = shoot_extended(run.scene, *run.sequence, run.next_item(), shot, run.control(1, 1),
+                                              run.state, observe); // (S1) (S2)
+    for (const ShotPass& pass : run.solution.shot_passes)
+        run.solution.local_lines += pass.lines;
 }
 
 } // namespace multipath

@@ -231,7 +231,7 @@ void cast_particles(Run& run)
     PowerState next = run.state; // so that a run that is resumed plans the same particles again
     ParticleStage stage{run.scene,
                         *run.sequence,
-                        run.first_local_item(),
+                        run.next_item(),
                         options.estimator,
                         plan_particles(run.scene, run.state, run.lines_left(), options.seed, options.threads),
                         next};

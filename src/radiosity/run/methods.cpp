@@ -35,14 +35,13 @@ namespace {
 
 void shots(Run& run)
 {
-    run.add_shots(
-        shoot_first(run.scene, *run.sequence, run.first_local_item(), run.options, run.control(1, 1), run.state));
+    shoot_first(run);
 }
 
 void global_pass(Run& run)
 {
     run.plan_global_lines();
-    const GlobalPass pass{run.first_global_item(), run.solution.global_lines_cast, run.options.bidirectional};
+    const GlobalPass pass{run.next_item(), run.solution.global_lines_cast, run.options.bidirectional};
     const ShuffledOrder items = walking_order(*run.sequence, run.options.line_order, pass.first_item, pass.lines_cast);
     run.note_cast(cast_global_lines(run.scene, run.lines, items, pass,
                                     run.control(pass.lines_cast, run.solution.global_lines), run.state)); // (M1) (M2)
@@ -63,11 +62,10 @@ bool are_few(const Run& run)
 void reuse_pairs(Run& run)
 {
     const std::uint64_t rays = gathers(run) ? std::min(run.local_share(1.0), run.options.lines - 1) : 0;
-    const std::uint64_t first_ray = run.first_local_item();
+    const std::uint64_t first_ray = run.next_item();
     run.solution.local_lines += rays;
     run.plan_global_lines();
-    const ReusedLines plan{
-        run.first_global_item(), run.solution.global_lines_cast, {first_ray, rays, run.options.seed}};
+    const ReusedLines plan{run.next_item(), run.solution.global_lines_cast, {first_ray, rays, run.options.seed}};
     run.note_cast(reuse_lines(run.scene, run.preparation.unoccluded, run.lines, *run.sequence, plan,
                               run.control(plan.cast + rays, run.solution.global_lines + rays, run.shard),
                               run.state)); // (R1)
@@ -81,8 +79,8 @@ void rays_to_sky(Run& run)
         return;
     const std::uint64_t rays = run.lines_left() / 2;
     const SceneLights lights(run.scene, run.options.threads);
-    const GatheredSkylight found = gathered_skylight(run.scene, lights.patches.get(), *run.sequence,
-                                                     run.first_local_item(), rays, run.control(1, 1));
+    const GatheredSkylight found =
+        gathered_skylight(run.scene, lights.patches.get(), *run.sequence, run.next_item(), rays, run.control(1, 1));
     if (run.stopped())
         return;
     run.solution.local_lines += rays;
@@ -104,7 +102,7 @@ void rays_to_sky(Run& run)
 /// Line reuse without a table of all pairs.
 void reuse_rays(Run& run)
 {
-    const BalancedRays rays{run.first_local_item(), run.lines_left(), gathers(run), true, run.options.importance.get()};
+    const BalancedRays rays{run.next_item(), run.lines_left(), gathers(run), true, run.options.importance.get()};
     BalancedResult result = reuse_balanced(run.scene, *run.preparation.lights, *run.sequence, rays, run.options.memory,
                                            run.control(1, 1, run.shard),
                                            run.state); // (R1) (R4) (R5)

@@ -6,7 +6,6 @@
 #include "radiosity/paper/multipath.h"
 #include "radiosity/reuse/denoising.h"
 #include "radiosity/reuse/exchange_solver.h"
-#include "radiosity/run/item_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +40,16 @@ void require_sound(const Scene& scene, const Solution& solution)
                          text_of(mean(balance.source)) + " W that the sources emit; expected more lines");
 }
 
+/// Throws SettingsError if the sequence has fewer items than this after the skipped ones.
+void require_items(const Sequence& sequence, std::uint64_t skip, std::uint64_t needed)
+{
+    const std::uint64_t limit = sequence.item_limit();
+    if (skip > limit || needed > limit - skip)
+        throw SettingsError("the sequence " + sequence.name() + " ends after " + std::to_string(limit) +
+                            " items, but these lines need " + std::to_string(needed) +
+                            (skip > 0 ? " after those skipped" : ""));
+}
+
 std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& options, const GlobalLines& lines)
 {
     constexpr std::uint64_t most_counted = 0xffffffffu; // counts have 32 bits
@@ -48,7 +57,8 @@ std::uint64_t checked_first_item(const Sequence& sequence, const SolveOptions& o
         throw SettingsError("the method " + std::string(options.method->name) + " counts at most " +
                             std::to_string(most_counted) + " lines; expected fewer");
     // Checks for as many items as any split of the lines may need, so that a short sequence is refused before the work.
-    return plan_items(sequence, options.skip, 0, lines.lines_to_cast(options.lines)).first_shot;
+    require_items(sequence, options.skip, lines.lines_to_cast(options.lines));
+    return options.skip;
 }
 
 } // namespace
@@ -107,18 +117,7 @@ void Run::plan_global_lines()
 {
     solution.global_lines = lines_left();
     solution.global_lines_cast = lines.lines_to_cast(solution.global_lines);
-}
-
-std::uint64_t Run::first_global_item() const
-{
-    return plan_items(*sequence, options.skip, solution.local_lines, solution.global_lines_cast).global_pass;
-}
-
-void Run::add_shots(std::vector<ShotPass> passes)
-{
-    solution.shot_passes = std::move(passes);
-    for (const ShotPass& pass : solution.shot_passes)
-        solution.local_lines += pass.lines;
+    require_items(*sequence, first_item, solution.local_lines + solution.global_lines_cast);
 }
 
 void Run::note_cast(std::uint64_t cast)

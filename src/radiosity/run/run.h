@@ -49,17 +49,14 @@ public:
 
     /// Number of lines of the budget that are not yet used as local lines.
     std::uint64_t lines_left() const;
-    /// Number of the item (point of the sequence) that the next local line takes.
-    std::uint64_t first_local_item() const { return first_item + solution.local_lines; }
+    /// Number of the item (point of the sequence) that the next line takes. Each stage takes the items after those of
+    /// the stage before it, so no item is used twice. In a quasi-random sequence, the items of all stages together are
+    /// then as evenly spread as those of one stage.
+    std::uint64_t next_item() const { return first_item + solution.local_lines; }
 
-    /// Plans all remaining lines as global lines, including those that a first shot did not need.
+    /// Plans all remaining lines as global lines, including those that a first shot did not need. Throws SettingsError
+    /// if the sequence is too short.
     void plan_global_lines();
-    /// Number of the item (point of the sequence) that the first global line takes. Throws SettingsError if the
-    /// sequence is too short.
-    std::uint64_t first_global_item() const;
-
-    /// Records these passes, and adds their rays to the local lines.
-    void add_shots(std::vector<ShotPass> passes);
 
     /// Records how many of the planned global lines were cast; fewer than planned if the run was stopped.
     void note_cast(std::uint64_t cast);
