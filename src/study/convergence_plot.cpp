@@ -74,11 +74,6 @@ struct PlottedCurve
 constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
 constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
 
-double abscissa(const CurvePoint& point, Abscissa against)
-{
-    return against == Abscissa::lines ? static_cast<double>(point.lines) : point.seconds;
-}
-
 /// Least ratio of the longest to the shortest time for a fit. If the preparation of a run takes most of the time, all
 /// points have nearly the same abscissa and the slope is meaningless.
 constexpr double least_span_of_seconds = 4.0;
@@ -87,17 +82,11 @@ std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
 {
     if (against == Abscissa::lines)
         return curve.law;
-    std::vector<double> xs;
-    std::vector<double> ys;
+    Extent seconds;
     for (const CurvePoint& point : curve.points)
-        if (point.above_reference && point.seconds > 0.0 && point.relative > 0.0) {
-            xs.push_back(point.seconds);
-            ys.push_back(point.relative);
-        }
-    const auto [shortest, longest] = std::minmax_element(xs.begin(), xs.end());
-    if (xs.empty() || *longest < least_span_of_seconds * *shortest)
-        return {};
-    return fit_power_law(xs, ys);
+        if (point.above_reference && point.seconds > 0.0 && point.relative > 0.0)
+            seconds.include(point.seconds);
+    return seconds.high < least_span_of_seconds * seconds.low ? std::nullopt : fit(curve.points, against);
 }
 
 /// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
@@ -277,9 +266,7 @@ std::string slope_text(const std::optional<PowerLaw>& law)
 {
     if (!law)
         return "no slope";
-    const double interval = exponent_interval(*law);
-    const int decimals = interval < 0.01 ? 3 : 2;
-    return "slope " + fixed(law->exponent, decimals) + " ± " + fixed(interval, decimals);
+    return "slope " + slope_words(law, exponent_interval(*law) < 0.01 ? 3 : 2);
 }
 
 /// The legend: a row with mark, label and slope for each curve, then one for the reference.

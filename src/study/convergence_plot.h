@@ -7,12 +7,6 @@
 
 namespace multipath {
 
-/// Quantity on the horizontal axis of a convergence plot.
-enum class Abscissa {
-    lines,  ///< number of lines of an execution, local and global
-    seconds ///< [s] processor time of an execution on one thread
-};
-
 /// Plots the relative MSE ((1) in docs/equations.md) of a study as an SVG document with two logarithmic axes. Every
 /// point is a mark with a bar of one standard error to either side, unless the mark hides the bar. Points that are not
 /// above the reference (CurvePoint::above_reference) are hollow. Points whose error or abscissa is not above 0 are left

@@ -81,16 +81,21 @@ bool operator==(const CurveKind& a, const CurveKind& b)
     return parts(a) == parts(b);
 }
 
-std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points)
+double abscissa(const CurvePoint& point, Abscissa against)
 {
-    std::vector<double> lines;
+    return against == Abscissa::lines ? static_cast<double>(point.lines) : point.seconds;
+}
+
+std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa against)
+{
+    std::vector<double> xs;
     std::vector<double> errors;
     for (const CurvePoint& point : points)
-        if (point.above_reference) {
-            lines.push_back(static_cast<double>(point.lines));
+        if (const double x = abscissa(point, against); point.above_reference && x > 0.0 && point.relative > 0.0) {
+            xs.push_back(x);
             errors.push_back(point.relative);
         }
-    return fit_power_law(lines, errors);
+    return fit_power_law(xs, errors);
 }
 
 } // namespace multipath

@@ -56,8 +56,17 @@ struct CurvePoint
     bool above_reference = true;
 };
 
-/// Fits the power law (2) to `relative` against `lines`, for the points with above_reference.
-std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points);
+/// Quantity on the horizontal axis of a convergence plot.
+enum class Abscissa {
+    lines,  ///< number of lines of an execution, local and global
+    seconds ///< [s] processor time of an execution on one thread
+};
+
+double abscissa(const CurvePoint& point, Abscissa against);
+
+/// Fits the power law (2) to `relative` against the abscissa, for the points with above_reference at which both are
+/// above 0.
+std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa against = Abscissa::lines);
 
 struct Curve
 {

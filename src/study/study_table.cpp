@@ -72,9 +72,9 @@ std::string scientific(double value)
     return text.substr(0, e) + "·10" + power;
 }
 
-std::string slope_words(const std::optional<PowerLaw>& law)
+std::string slope_words(const std::optional<PowerLaw>& law, int decimals)
 {
-    return law ? fixed(law->exponent, 3) + " ± " + fixed(exponent_interval(*law), 3) : "none";
+    return law ? fixed(law->exponent, decimals) + " ± " + fixed(exponent_interval(*law), decimals) : "none";
 }
 
 std::string curve_label(const Study& study, const Curve& curve)

@@ -16,7 +16,7 @@ std::string fixed(double value, int decimals);
 std::string scientific(double value);
 
 /// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
-std::string slope_words(const std::optional<PowerLaw>& law);
+std::string slope_words(const std::optional<PowerLaw>& law, int decimals = 3);
 
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
 /// Pairing, chords and line order are each appended if another curve of the same method differs in it. A pairing other
