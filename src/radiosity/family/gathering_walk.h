@@ -13,7 +13,7 @@ namespace multipath {
 ///
 /// The walks are divided into 1 ... 16 rounds. Each round covers all patches, except that a patch whose expected number
 /// of walks is below 1 may get none. If the run is stopped, an unfinished round has no effect, and without a finished
-/// one the run is not solved. The only Stage of a run.
+/// one the run is not solved. A Stage, the only one of its method.
 void gather_by_walks(Run& run);
 
 /// The walks of the first round. Walk n takes the item n after the skipped ones of the sequence. Shot::power_per_ray is

@@ -79,8 +79,6 @@ public:
         return hits_;
     }
 
-    std::uint64_t lines() const { return items_.size(); } ///< number of lines in the block traced last
-
 private:
     std::vector<Item> items_;
     std::vector<Line> lines_;
