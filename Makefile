@@ -9,7 +9,7 @@
 # make paper      computes the paper's tables and figures again: build/paper/index.html, in six minutes on two processors
 # make results    the same, and puts them into docs/results.md and docs/results
 # make pictures   runs the commands of the gallery and of the lectures, docs/{gallery,method,beyond}.md, and renews their pictures and numbers
-# make install    puts program, manual, completion, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
+# make install    puts program, manual, scenes and documents under PREFIX (/usr/local), or DESTDIR/PREFIX
 # make uninstall  removes what make install put there
 # make dist       packs the sources, of git what is committed, into build/multipath-VERSION.tar.gz
 # make dist-windows  packs program, scenes and documents for Windows into a .zip there, by WINDOWS_CXX
@@ -181,19 +181,17 @@ $(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$
 
 PREFIX    ?= /usr/local
 place      = "$(DESTDIR)$(PREFIX)"
-completion = share/bash-completion/completions/multipath
 documents  = README.md LICENSE $(sort $(shell find docs -type f))
 own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl)) $(documents:%=share/doc/multipath/%)
 lab_page   = $(wildcard $(BUILD)/lab.html)
-installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(completion) $(own) $(lab_page:%=share/doc/multipath/lab.html)
+installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(own) $(lab_page:%=share/doc/multipath/lab.html)
 
-# The texts are the program's own: it writes them from the tables that it reads its options by.
+# The manual is the program's own: it writes it from the tables that it reads its options by.
 install: $(PROGRAM)
 	@for folder in $(sort $(dir $(installed))); do install -d $(place)/$$folder || exit; done
 	install -m 755 $(PROGRAM) $(place)/bin/
 	$(run) help --man > $(place)/share/man/man1/multipath.1
-	$(run) help --completion bash > $(place)/$(completion)
-	@for file in share/man/man1/multipath.1 $(completion); do chmod 644 $(place)/$$file || exit; done
+	@chmod 644 $(place)/share/man/man1/multipath.1
 	@for file in $(own); do install -m 644 $${file#share/*multipath/} $(place)/$$file || exit; done
 	@$(if $(lab_page),install -m 644 $(lab_page) $(place)/share/doc/multipath/lab.html)
 

@@ -3,7 +3,7 @@
 # usage: option_names_test.sh PROGRAM ROOT, in a folder of its own
 . "$2/tests/cli/check.sh"
 
-options=$("$program" help --completion bash | tr -c 'a-z-' '\n' | grep '^--[a-z]' | sort -u)
+options=$("$program" help --man | sed -n 's/\\-/-/g; s/^  \(-., \|    \)\(--[a-z-]*\).*/\2/p' | sort -u)
 
 # Prints "FILE:LINE: names --OPTION" for every option in a string literal, raw or not, of the layers below; false if there is one.
 # usage: no_options SRC

@@ -8,21 +8,9 @@
 
 namespace multipath {
 
-namespace {
-
-const std::vector<std::string_view> when_choices = {"auto", "always", "never"};
-
-} // namespace
-
-Option progress_option()
-{
-    return {"progress", 0, "WHEN", "auto", "When to show progress on stderr.", false, when_choices};
-}
-
 ProgressStyle progress_style(const CommandLine& line)
 {
-    const std::string when = line.text("progress");
-    if (when == "never" || (line.has("quiet") && when == "auto"))
+    if (line.has("quiet"))
         return ProgressStyle::none;
     return standard_error_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
 }

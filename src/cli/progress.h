@@ -13,11 +13,7 @@ enum class ProgressStyle {
     lines, ///< a plain line at most every ten seconds, for a log file
 };
 
-/// The option --progress for the tables of commands.
-Option progress_option();
-
-/// The style that the options --progress and --quiet ask for: a bar if stderr is a terminal, lines otherwise. Nothing
-/// is shown with --progress never, or with --quiet unless --progress always is given.
+/// A bar if stderr is a terminal, lines otherwise; none with --quiet.
 ProgressStyle progress_style(const CommandLine& line);
 
 /// Shows on stderr how much of the work is done and how long the rest will take. A run of a few seconds prints no

@@ -11,9 +11,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> without_effect = {"threads",    "output", "quiet",     "cache",
-                                                             "progress",   "json",   "verbose",   "state",
-                                                             "save-every", "resume", "from-state"};
+constexpr std::array<std::string_view, 10> without_effect = {"threads", "output", "quiet",      "cache",  "json",
+                                                             "verbose", "state",  "save-every", "resume", "from-state"};
 
 bool default_holds(const Option& option, const CommandLine& line)
 {

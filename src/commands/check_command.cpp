@@ -211,7 +211,7 @@ Command check_command()
 {
     return {{"check",
              "report the content of a scene, the paper's figures for it, and its faults",
-             {{"SCENE.obj", false, false, {".obj"}}},
+             {"SCENE.obj", 1, 1},
              {{"Report",
                {{"json", 0, "", "", "Print the report as JSON on standard output."},
                 {"lines", 'n', "N", "2^20",

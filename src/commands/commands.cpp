@@ -9,11 +9,9 @@ namespace multipath {
 
 std::vector<Command> commands()
 {
-    std::vector<Command> all = {solve_command(),   render_command(),  merge_command(),   check_command(),
-                                study_command(),   paper_command(),   compare_command(), points_command(),
-                                explain_command(), selftest_command()};
-    all.push_back(help_command(all));
-    return all;
+    return {solve_command(),   render_command(),   merge_command(),   check_command(),
+            study_command(),   paper_command(),    compare_command(), points_command(),
+            explain_command(), selftest_command(), help_command()};
 }
 
 Command command_named(const std::string& name)

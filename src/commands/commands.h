@@ -38,6 +38,6 @@ Command paper_command();
 Command points_command();
 Command explain_command();
 Command selftest_command();
-Command help_command(const std::vector<Command>& others); ///< explains the `others`, which are all other commands
+Command help_command();
 
 } // namespace multipath

@@ -36,12 +36,6 @@ struct Deviation
     double value = 0.0; ///< A - B [W/m^2]
 };
 
-struct WorstPatch
-{
-    std::size_t patch;
-    double share; ///< [1] of the MSE
-};
-
 /// Error of A, the estimate, against B, the reference. Both tables have the same patches.
 struct Comparison
 {
@@ -54,7 +48,6 @@ struct Comparison
     std::optional<double> expected_a{}; ///< [1] expected relative MSE (1) by the table's own standard errors
     std::optional<double> expected_b{};
     Deviation largest{};
-    std::vector<WorstPatch> worst{};
 
     /// [1] Root of the relative MSE.
     double root() const { return std::sqrt(error.relative_mean_square); }
@@ -100,28 +93,9 @@ Deviation largest_deviation(const PatchTable& a, const PatchTable& b)
     return largest;
 }
 
-std::vector<WorstPatch> worst_patches(const PatchTable& a, const PatchTable& b, std::size_t count)
-{
-    std::vector<WorstPatch> patches;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.areas.size(); ++i) {
-        const Rgb error = a.radiosity[i] - b.radiosity[i];
-        patches.push_back({i, b.areas[i] * mean(error * error)});
-        sum += patches.back().share;
-    }
-    if (!(sum > 0.0))
-        return {};
-    std::stable_sort(patches.begin(), patches.end(),
-                     [](const WorstPatch& p, const WorstPatch& q) { return p.share > q.share; });
-    patches.resize(std::min(count, patches.size()));
-    for (WorstPatch& patch : patches)
-        patch.share /= sum;
-    return patches;
-}
-
-/// Compares tables of the same patches, which must outlive the result, and finds the `worst_count` patches with the
-/// largest shares of the MSE. Throws InputError for numbers too large to square, and for a reference without light.
-Comparison compare(const PatchTable& a, const PatchTable& b, std::size_t worst_count)
+/// Compares tables of the same patches, which must outlive the result. Throws InputError for numbers too large to
+/// square, and for a reference without light.
+Comparison compare(const PatchTable& a, const PatchTable& b)
 {
     Comparison c{a, b};
     c.area = std::accumulate(b.areas.begin(), b.areas.end(), 0.0);
@@ -137,7 +111,6 @@ Comparison compare(const PatchTable& a, const PatchTable& b, std::size_t worst_c
     if (!(c.mean_b * c.mean_b > 0.0))
         throw InputError(b.path + ": mean radiosity is 0, expected a reference with light");
     c.largest = largest_deviation(a, b);
-    c.worst = worst_patches(a, b, worst_count);
     return c;
 }
 
@@ -164,36 +137,27 @@ std::string errors_text(const Comparison& c)
     return text;
 }
 
-std::string worst_text(const Comparison& c)
+/// The line of both reports on the mean radiosities [W/m^2].
+std::string means_text(double mean_a, double mean_b)
 {
-    if (c.worst.empty())
-        return "";
-    std::string text = format("worst    %9s %8s %12s %12s   %-27s %s\n", "patch", "of MSE", "A W/m^2", "B W/m^2",
-                              "centre", "material");
-    Bounds box;
-    for (const Vec3& centre : c.b.centres)
-        box.include(centre);
-    const int digits = coordinate_digits(box, 4);
-    for (const WorstPatch& patch : c.worst) {
-        const std::size_t i = patch.patch;
-        const Vec3 centre = c.b.centres[i];
-        text += format("         %9zu %6.2f %% %12.6g %12.6g   %-27s ", i, 100.0 * patch.share, mean(c.a.radiosity[i]),
-                       mean(c.b.radiosity[i]), triple(centre.x, centre.y, centre.z, digits).c_str()) +
-                c.b.materials[i] + "\n";
-    }
-    return text;
+    return format("radiosity  mean %.6g in A, %.6g in B W/m^2: a difference of %+.3g %%\n", mean_a, mean_b,
+                  100.0 * (mean_a - mean_b) / mean_b);
 }
 
-JsonObject worst_json(const Comparison& c, const WorstPatch& patch)
+/// The members that both reports have. `area`: [m^2]; means: radiosity [W/m^2].
+JsonObject common_json(const PatchTable& a, const PatchTable& b, double area, double relative_square, double root,
+                       double mean_a, double mean_b)
 {
-    const Vec3 centre = c.b.centres[patch.patch];
     JsonObject json;
-    json.count("patch", patch.patch);
-    json.text("material", c.b.materials[patch.patch]);
-    json.numbers("centre", centre);
-    json.number("radiosity", mean(c.a.radiosity[patch.patch]));
-    json.number("reference_radiosity", mean(c.b.radiosity[patch.patch]));
-    json.number("share", patch.share);
+    json.text("result", a.path);
+    json.text("reference", b.path);
+    json.count("patches", a.areas.size());
+    json.number("area_m2", area);
+    json.number("relative_mean_square_error", relative_square);
+    json.number("relative_root_mean_square_error", root);
+    json.number("mean_radiosity", mean_a);
+    json.number("reference_mean_radiosity", mean_b);
+    json.number("mean_radiosity_difference", (mean_a - mean_b) / mean_b);
     return json;
 }
 
@@ -206,35 +170,20 @@ std::string report_text(const Comparison& c)
                    c.error.relative_mean_square, 100.0 * c.root());
     text += format("largest    deviation %+.4g W/m^2 in one channel of patch %zu, %.3g %% of the mean radiosity\n",
                    c.largest.value, c.largest.patch, 100.0 * std::abs(c.largest.value / c.mean_b));
-    text += format("radiosity  mean %.6g in A, %.6g in B W/m^2: a difference of %+.3g %%\n", c.mean_a, c.mean_b,
-                   100.0 * (c.mean_a - c.mean_b) / c.mean_b);
-    return text + errors_text(c) + worst_text(c);
+    return text + means_text(c.mean_a, c.mean_b) + errors_text(c);
 }
 
 /// The report as the JSON object of `compare --json`.
 JsonObject report_json(const Comparison& c)
 {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
-    JsonObject json;
-    json.text("result", c.a.path);
-    json.text("reference", c.b.path);
-    json.count("patches", c.a.areas.size());
-    json.number("area_m2", c.area);
+    JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.root(), c.mean_a, c.mean_b);
     json.number("mean_square_error", c.error.mean_square);
-    json.number("relative_mean_square_error", c.error.relative_mean_square);
-    json.number("relative_root_mean_square_error", c.root());
     json.number("largest_deviation", c.largest.value);
     json.count("largest_deviation_patch", c.largest.patch);
-    json.number("mean_radiosity", c.mean_a);
-    json.number("reference_mean_radiosity", c.mean_b);
-    json.number("mean_radiosity_difference", (c.mean_a - c.mean_b) / c.mean_b);
     json.number("expected_relative_mean_square_error", c.expected_a.value_or(unknown));
     json.number("reference_expected_relative_mean_square_error", c.expected_b.value_or(unknown));
     json.number("measured_over_expected", c.measured_over_expected().value_or(unknown));
-    std::vector<JsonObject> worst;
-    for (const WorstPatch& patch : c.worst)
-        worst.push_back(worst_json(c, patch));
-    json.objects("worst", worst);
     return json;
 }
 
@@ -256,27 +205,16 @@ std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownErro
     text += format("points     %s, %.6g m^2\n", grouped(e.points).c_str(), e.area);
     text += format("total      relative MSE %.3g +- %.2g, its root %.3g %%: of patches and noise together\n",
                    e.relative_mean_square, e.standard_error, 100.0 * e.root());
-    text += format("radiosity  mean %.6g in A, %.6g in B W/m^2: a difference of %+.3g %%\n", e.mean_shown, e.mean_true,
-                   100.0 * (e.mean_shown - e.mean_true) / e.mean_true);
-    return text;
+    return text + means_text(e.mean_shown, e.mean_true);
 }
 
 /// The report as JSON.
 JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError& e)
 {
-    JsonObject json;
-    json.text("result", a.path);
-    json.text("reference", b.path);
-    json.count("patches", a.areas.size());
+    JsonObject json = common_json(a, b, e.area, e.relative_mean_square, e.root(), e.mean_shown, e.mean_true);
     json.count("reference_patches", b.areas.size());
     json.count("points", e.points);
-    json.number("area_m2", e.area);
-    json.number("relative_mean_square_error", e.relative_mean_square);
     json.number("relative_mean_square_error_error", e.standard_error);
-    json.number("relative_root_mean_square_error", e.root());
-    json.number("mean_radiosity", e.mean_shown);
-    json.number("reference_mean_radiosity", e.mean_true);
-    json.number("mean_radiosity_difference", (e.mean_shown - e.mean_true) / e.mean_true);
     return json;
 }
 
@@ -291,7 +229,6 @@ void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
 
 int run_compare(const CommandLine& line)
 {
-    const auto worst_count = static_cast<std::size_t>(read_count("--worst", line.text("worst")));
     const std::uint64_t points = read_count("--points", line.text("points"), 1, 1ull << 30);
     std::optional<double> tolerance;
     if (line.has("tolerance"))
@@ -318,7 +255,7 @@ int run_compare(const CommandLine& line)
     } else {
         require_same_patches(a, b.areas, b.path);
         warn_of_other_scene(a, b);
-        const Comparison comparison = compare(a, b, worst_count);
+        const Comparison comparison = compare(a, b);
         root = comparison.root();
         print(json ? report_json(comparison).document() : report_text(comparison));
     }
@@ -335,10 +272,9 @@ Command compare_command()
 {
     return {{"compare",
              "measure the error of a result against another one of the same scene",
-             {{"A", false, false, {".csv", ".state"}}, {"B", false, true, {".csv", ".state"}}},
+             {"A [B]", 1, 2},
              {{"Report",
-               {{"worst", 0, "N", "5", "List the N patches with the largest shares of the mean square error."},
-                {"points", 0, "N", "10000",
+               {{"points", 0, "N", "10000",
                  "Number of points at which the shown light is compared, without B or if B has other patches."},
                 {"tolerance", 0, "SHARE", "",
                  "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/choices.h"
@@ -35,7 +36,7 @@ Stage read_stage(const CommandLine& line)
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
     if (std::find(stages.begin(), stages.end(), name) == stages.end())
-        throw UsageError("--stage: expected " + alternatives(stages) + " with --method " + line.text("method") +
+        throw UsageError("--stage: expected one of " + join(stages) + " with --method " + line.text("method") +
                          ", got " + quoted_argument(text));
     const auto* const stage =
         std::find_if(stage_tracers.begin(), stage_tracers.end(), [&](const StageTracer& s) { return s.stage == name; });
@@ -77,7 +78,7 @@ Command explain_command()
     return {
         {"explain",
          "explain single lines of a run, one by one, in words and as a drawing",
-         {{"SCENE.obj", false, false, {".obj"}}},
+         {"SCENE.obj", 1, 1},
          {{"Lines",
            {{"lines", 'n', "K", "3",
              "Number of lines to explain, at most 1000; of particles or walks in the stages local and gathering."},

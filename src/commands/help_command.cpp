@@ -16,8 +16,6 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t topic_width = 80; ///< [columns]
-
 constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib names the MTL file of its materials.
 
   Kd r g b   diffuse reflectance, 0 to 1; one number is grey
@@ -114,7 +112,7 @@ std::string methods_text()
 {
     std::string text = "Methods to compute the light of a scene, --method NAME:\n\n";
     for (const Method method : all_methods())
-        text += two_columns("  " + std::string(method->name), std::string(method->summary), 21, topic_width);
+        text += two_columns("  " + std::string(method->name), std::string(method->summary), 21);
     return text + "\nTheir cost is counted in lines (--lines), rays from patches and global lines\n"
                   "together. 'multipath study' measures the error of each against the number of\n"
                   "lines.\n";
@@ -126,7 +124,7 @@ std::string sequences_text()
     std::vector<std::string> best_at_powers;
     for (const SequenceKind& kind : sequence_kinds()) {
         const std::string name = std::string(kind.name) + std::string(kind.arguments);
-        text += two_columns("  " + name, kind.summary, 28, topic_width);
+        text += two_columns("  " + name, kind.summary, 28);
         if (kind.fills_best_at_powers_of_two)
             best_at_powers.emplace_back(kind.name);
     }
@@ -136,7 +134,7 @@ std::string sequences_text()
            "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
            "out the first K items. --replicates takes the randomised form of a sequence.\n" +
            wrapped_text("The number of lines should be a power of two for " + join(best_at_powers) + ".", 0, 0,
-                        topic_width) +
+                        page_width) +
            "\n"
            "'multipath points' draws sequences and measures how evenly they fill space.\n";
 }
@@ -145,7 +143,7 @@ std::string outputs_text()
 {
     std::string text = "-o FILE may be repeated; the extension of the file determines its format:\n\n";
     const auto row = [](std::string_view extension, std::string_view summary) {
-        return two_columns("  " + std::string(extension), summary, 10, topic_width);
+        return two_columns("  " + std::string(extension), summary, 10);
     };
     for (const OutputFormat& format : output_formats())
         text += row(format.extension, format.summary);
@@ -158,56 +156,21 @@ std::string outputs_text()
            "command that made them: run it again and compare the files with 'cmp'.\n";
 }
 
-CommandTable help_table(const std::vector<CommandTable>& others)
-{
-    CommandTable table = {"help",
-                          "explain a command or a topic; print the manual or the completion for bash",
-                          {{"TOPIC", false, true}},
-                          {{"For installation",
-                            {{"man", 0, "", "", "Print the manual page, for 'man'."},
-                             {"completion",
-                              0,
-                              "SHELL",
-                              "",
-                              "Print a script for a shell to complete commands, options, their values and files.",
-                              false,
-                              {"bash"}}}}},
-                          "  multipath help scenes\n"
-                          "  multipath help solve\n"
-                          "  . <(multipath help --completion bash)\n"};
-    for (const CommandTable& other : others)
-        table.operands[0].choices.push_back(other.name);
-    table.operands[0].choices.push_back(table.name);
-    for (const HelpTopic& topic : help_topics())
-        table.operands[0].choices.push_back(topic.name);
-    return table;
-}
-
-/// The help of a command, or the text of a topic. One of them must have this name.
-std::string explanation(const std::string& name, const std::vector<CommandTable>& tables,
-                        const std::vector<HelpTopic>& topics)
-{
-    for (const CommandTable& table : tables)
-        if (table.name == name)
-            return help_text(table);
-    return std::find_if(topics.begin(), topics.end(), [&](const HelpTopic& topic) { return topic.name == name; })->text;
-}
-
 int run_help(const CommandLine& line)
 {
     const std::vector<CommandTable> tables = tables_of(commands());
-    const std::vector<HelpTopic> topics = help_topics();
-    const bool shell_given = line.has("completion");
-    if (line.operands().size() + (line.has("man") ? 1 : 0) + (shell_given ? 1 : 0) > 1)
-        throw UsageError("a topic, --man and --completion exclude each other; expected one of them");
-    if (line.has("man"))
+    std::vector<HelpTopic> topics = help_topics();
+    if (line.has("man") && !line.operands().empty())
+        throw UsageError("a topic and --man exclude each other; expected one of them");
+    if (line.has("man")) {
         print(man_page(tables, topics));
-    else if (shell_given)
-        print(bash_completion(tables));
-    else if (line.operands().empty())
+    } else if (line.operands().empty()) {
         print(program_help(tables, topics));
-    else
-        print(explanation(line.operands()[0], tables, topics));
+    } else {
+        for (const CommandTable& table : tables)
+            topics.push_back({table.name, help_text(table)});
+        print(row_named(topics, "TOPIC", line.operands()[0]).text);
+    }
     return 0;
 }
 
@@ -220,9 +183,15 @@ std::vector<HelpTopic> help_topics()
             {"exit-codes", exit_codes_text}};
 }
 
-Command help_command(const std::vector<Command>& others)
+Command help_command()
 {
-    return {help_table(tables_of(others)), run_help};
+    return {{"help",
+             "explain a command or a topic, or print the manual",
+             {"[TOPIC]", 0, 1},
+             {{"For installation", {{"man", 0, "", "", "Print the manual page, for 'man'."}}}},
+             "  multipath help scenes\n"
+             "  multipath help solve\n"},
+            run_help};
 }
 
 } // namespace multipath

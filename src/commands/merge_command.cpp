@@ -130,7 +130,7 @@ Command merge_command()
 {
     return {{"merge",
              "add up the shards of one run (solve --shard)",
-             {{"STATE", true, false, {".state"}}},
+             {"STATE...", 1, any_number},
              {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
              "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts\n"
              "lines. For the second round, which refines some pairs of patches, write the sum as a state and\n"

@@ -112,7 +112,7 @@ int run_paper(const CommandLine& line)
     const auto start = std::chrono::steady_clock::now();
     const std::string scenes = scenes_folder(line);
     const std::vector<PaperStep> steps = paper_steps(line.has("quick"), scenes, folder);
-    always_end_at_interrupts("the same command resumes from the finished runs");
+    always_end_at_interrupts();
     make_folder(folder);
     std::error_code error;
     const bool resumed = std::filesystem::exists(folder + "/cache", error);

@@ -22,7 +22,7 @@ namespace multipath {
 namespace {
 
 constexpr int most_dimensions = 64;
-constexpr int most_dimensions_of_a_matrix = 8;                         // 28 plots
+constexpr int most_dimensions_drawn = 8;                               // 28 pairs
 constexpr std::uint64_t most_points_drawn = 65536;                     // more look grey and take many megabytes
 constexpr std::uint64_t most_points_measured = std::uint64_t{1} << 14; // takes seconds; quadratic in the number
 
@@ -42,9 +42,10 @@ struct PointRange
     std::uint64_t count;
 };
 
-PointRange read_point_range(const CommandLine& line)
+/// Reads the range that the options ask for, with at most so many points.
+PointRange read_point_range(const CommandLine& line, std::uint64_t most)
 {
-    const std::uint64_t count = read_count("--count", line.text("count"), 1);
+    const std::uint64_t count = read_count("--count", line.text("count"), 1, most);
     const std::uint64_t first = read_count("--skip", line.text("skip"));
     const auto dimensions = static_cast<int>(read_count("--dims", line.text("dims"), 1, most_dimensions));
     const std::uint64_t seed = read_count("--seed", line.text("seed"));
@@ -138,32 +139,6 @@ std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std
     return table;
 }
 
-std::vector<DimensionPair> read_pairs(const CommandLine& line, int dimensions)
-{
-    if (dimensions < 2)
-        refuse("--dims", "a drawing needs two dimensions or more");
-    const auto read = [&](const std::string& part) {
-        return static_cast<int>(read_count("--pairs", part, 0, static_cast<std::uint64_t>(dimensions - 1)));
-    };
-    std::vector<DimensionPair> pairs;
-    for (const std::string& text : line.all("pairs")) {
-        const std::size_t comma = text.find(',');
-        if (comma == std::string::npos)
-            refuse("--pairs", "expected two dimensions such as 0,1, got " + quoted_argument(text));
-        pairs.push_back({read(text.substr(0, comma)), read(text.substr(comma + 1))});
-    }
-    if (pairs.empty() && dimensions > most_dimensions_of_a_matrix)
-        refuse("--dims", "every pair of more than " + std::to_string(most_dimensions_of_a_matrix) +
-                             " dimensions is too much for a drawing; choose some with --pairs");
-    return pairs.empty() ? all_pairs(dimensions) : pairs;
-}
-
-void require_drawable(std::uint64_t count)
-{
-    if (count > most_points_drawn)
-        refuse("--count", "a drawing holds at most " + std::to_string(most_points_drawn) + " points");
-}
-
 void require_absent(const CommandLine& line, const std::vector<std::string>& options, const std::string& reason)
 {
     for (const std::string& option : options)
@@ -179,38 +154,38 @@ std::vector<PlannedOutput> open(const CommandLine& line, const std::vector<std::
 
 int run_listing(const CommandLine& line)
 {
-    const PointRange range = read_point_range(line);
     std::vector<PlannedOutput> outputs = open(line, {".csv", ".svg"});
     const bool draws = std::any_of(outputs.begin(), outputs.end(),
                                    [](const PlannedOutput& output) { return output.extension == ".svg"; });
+    const PointRange range = read_point_range(line, draws ? most_points_drawn : largest_count);
     std::string drawing;
     if (draws) {
-        const std::vector<DimensionPair> pairs = read_pairs(line, range.sequence->dimensions());
-        require_drawable(range.count);
+        const int dimensions = range.sequence->dimensions();
+        if (dimensions < 2 || dimensions > most_dimensions_drawn)
+            refuse("--dims", "a drawing takes from 2 to " + std::to_string(most_dimensions_drawn) + " dimensions");
         if (line.has("order") && range.count < 2)
             refuse("--count", "the order of points shows with two of them or more");
         const auto draw = line.has("order") ? order_plots : scatter_plots;
-        drawing =
-            draw(points_of(*range.sequence, range.first, range.count), pairs, range_words(range), provenance(line));
+        drawing = draw(points_of(*range.sequence, range.first, range.count), all_pairs(dimensions), range_words(range),
+                       provenance(line));
     } else {
-        require_absent(line, {"pairs", "order"}, "needs a drawing, such as -o points.svg");
+        require_absent(line, {"order"}, "needs a drawing, such as -o points.svg");
     }
     for (PlannedOutput& output : outputs)
         if (output.extension == ".svg")
             output.file.write(drawing);
         else // the recorded command writes only the table: without options that need a drawing
-            write_points(output.file, range, provenance(line, {"pairs", "order"}));
+            write_points(output.file, range, provenance(line, {"order"}));
     commit(outputs);
     return 0;
 }
 
 int run_figure(const CommandLine& line)
 {
-    const std::vector<std::string> fixed = {"sequence", "dims", "skip", "pairs", "order", "discrepancy"};
+    const std::vector<std::string> fixed = {"sequence", "dims", "skip", "order", "discrepancy"};
     require_absent(line, fixed, "has no effect on a figure of the paper");
-    const std::uint64_t count = read_count("--count", line.text("count"), 1);
+    const std::uint64_t count = read_count("--count", line.text("count"), 1, most_points_drawn);
     const std::uint64_t seed = read_count("--seed", line.text("seed"));
-    require_drawable(count);
     std::vector<PlannedOutput> outputs = open(line, {".svg"});
     const auto figure = line.choice("figure", paper_figures).value;
     const std::string drawing = figure(count, seed, provenance(line, fixed));
@@ -222,11 +197,8 @@ int run_figure(const CommandLine& line)
 
 int run_discrepancy(const CommandLine& line)
 {
-    require_absent(line, {"pairs", "order"}, "has no effect on --discrepancy");
-    const PointRange range = read_point_range(line);
-    if (range.count > most_points_measured)
-        refuse("--count", "the discrepancy is computed for at most " + std::to_string(most_points_measured) +
-                              " points, since the work grows with the square");
+    require_absent(line, {"order"}, "has no effect on --discrepancy");
+    const PointRange range = read_point_range(line, most_points_measured);
     const std::vector<std::string> paths = line.all("output");
     std::vector<PlannedOutput> outputs = open_outputs(paths, {}, {".csv"});
 
@@ -272,17 +244,13 @@ Command points_command()
             {"skip", 0, "K", "0", "Leave out the first K points of the sequence."},
             {"seed", 0, "N", "1", "Seed of random and randomised sequences."}}},
           {"Drawing",
-           {{"pairs", 0, "I,J", "",
-             "Draw dimension J against dimension I, counted from 0. By default every pair is drawn.", true},
-            {"order", 0, "", "",
+           {{"order", 0, "", "",
              "Draw arrows from each of the first points to the next, and every point's coordinates against those of "
-             "the "
-             "next."}}},
+             "the next."}}},
           {"Instead of points",
            {{"discrepancy", 0, "", "",
              "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
-             "is "
-             "computed in one and two dimensions."},
+             "is computed in one and two dimensions."},
             {"figure", 0, "WHICH", "",
              "Draw a figure of the paper: 1, random and quasi-random points; 2, why a line should take one 4-D item.",
              false, names_of(paper_figures)}}}},

@@ -40,7 +40,7 @@ Command render_command()
 {
     return {{"render",
              "make other pictures, meshes and tables from the state of a run, without solving again",
-             {{"STATE", false, false, {".state"}}},
+             {"STATE", 1, 1},
              {without_options(solution_output_group(), {"json", "verbose"}),
               picture_option_group(),
               {"Computation", {threads_option()}}},

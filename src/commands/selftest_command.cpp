@@ -86,12 +86,11 @@ Command selftest_command()
 {
     return {{"selftest",
              "check every method against known answers, or against each other in a scene",
-             {{"SCENE.obj", false, true, {".obj"}}},
+             {"[SCENE.obj]", 0, 1},
              {{"Selftest",
                {{"output", 'o', "FILE", "", "Also write the table as CSV.", true},
                 {"case", 0, "NAME", "", "Check only this known scene, such as furnace.", true},
                 {"quiet", 'q', "", "", "Show only the checks that did not pass, and the last line."},
-                progress_option(),
                 {"seed", 0, "N", "1", "Seed of the random numbers; a correct program passes with any seed."},
                 threads_option()}},
               scene_option_group()},

@@ -231,7 +231,7 @@ Command solve_command()
 {
     return {{"solve",
              "compute the radiosity of a scene, and write pictures, meshes and tables",
-             {{"SCENE.obj", false, false, {".obj"}}},
+             {"SCENE.obj", 1, 1},
              {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
               scene_option_group(), picture_option_group()},
              "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"

@@ -367,7 +367,7 @@ int run_study_command(const CommandLine& line)
     require_no_input(outputs, input_files(scene.file()));
     const std::vector<std::string> comments = provenance(line, scene);
     const std::string cache = cache_folder(line, paths);
-    always_end_at_interrupts(cache.empty() ? "" : "the same command resumes from the finished runs");
+    always_end_at_interrupts();
     const Reference reference = study_reference(line, scene, plan, cache);
     Study study;
     {
@@ -398,7 +398,7 @@ Command study_command()
         method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
     return {{"study",
              "measure the error against the number of lines, for methods and sequences, and fit slopes",
-             {{"SCENE.obj", false, false, {".obj"}}},
+             {"SCENE.obj", 1, 1},
              {{"Output",
                {{"output", 'o', "FILE", "",
                  "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
@@ -411,8 +411,7 @@ Command study_command()
                  "Folder for finished runs and the reference, so that the same study resumes where it was interrupted; "
                  "a program from other sources begins anew. By default the name of the first output with the extension "
                  ".cache; without an output, nothing is kept."},
-                {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."},
-                progress_option()}},
+                {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."}}},
               study_curve_options(),
               {"Points",
                {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},

@@ -126,7 +126,7 @@ class Laboratory {
   }
 
   solve(words, progress) {
-    return this.solver.run({ words: [...words, '--threads', '1', '--progress', 'always', '-o', 'room.html'],
+    return this.solver.run({ words: [...words, '--threads', '1', '-o', 'room.html'],
       files: this.room_files(), wanted: ['room.html'], progress });
   }
 

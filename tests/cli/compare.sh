@@ -21,12 +21,10 @@ with_error 10 b.csv >b-ten.csv
 with_error 0 b.csv >b-none.csv
 
 by_hand() {
-    ends 0 compare a.csv b.csv && silent err && lines_are out 9 && says out "2, 4 m^2" &&
+    ends 0 compare a.csv b.csv && silent err && lines_are out 6 && says out "2, 4 m^2" &&
         says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" &&
         says out "+2 W/m^2 in one channel of patch 0, 40 % of the mean" &&
-        says out "4.75 in A, 5 in B W/m^2: a difference of -5 %" &&
-        grep -qE '^ +0 +57.14 % +10 +8 +\(1, 2, 3\) +red, "shiny"$' out &&
-        grep -qE '^ +1 +42.86 % +3 +4 +\(4, 5, 6\) +wall$' out
+        says out "4.75 in A, 5 in B W/m^2: a difference of -5 %"
 }
 check "the report has the numbers that a hand computes" by_hand
 
@@ -40,7 +38,7 @@ foreign() {
     printf 'patch,radiosity\n0,10\n1,3\n' >grey.csv && printf '# mine\nradiosity_b,patch,radiosity_r,radiosity_g\n10,0,10,10\n3,1,3,3\n' >colour.csv &&
         printf 'patch,radiosity,error_r,error_g,error_b\n0,10,.5,.5,.5\n1,3,.5,.5,.5\n' >errors.csv || return
     for table in grey colour; do
-        ends 0 compare $table.csv b.csv && says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" && says out "(1, 2, 3)" || return
+        ends 0 compare $table.csv b.csv && says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" || return
     done
     ends 0 compare grey.csv b-one.csv && says out "A unknown, B 0.04 (20 %)" && ends 0 compare errors.csv b-one.csv && says out "they explain it" && ends 0 compare a-half.csv b-one.csv && says out "they explain it" || return
     printf 'patch,radiosity\n0,10\n' >short.csv && ends 1 compare short.csv b.csv && says err "short.csv:1: 1 patches, expected 2 as in b.csv" &&
@@ -53,8 +51,7 @@ check "a table of another program needs patches and radiosities alone" foreign
 
 channels() {
     sed 's/3,3,3,3$/3,4,1,4/;s/10,10,10/8,8,8/' a.csv >green.csv
-    ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4" && says out "-3 W/m^2 in one channel of patch 1, 60 %" &&
-        grep -qE '^ +1 +100.00 % +3 +4 ' out
+    ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4" && says out "-3 W/m^2 in one channel of patch 1, 60 %"
 }
 check "in colour the MSE is the mean over the channels, the largest deviation that of one" channels
 
@@ -76,15 +73,15 @@ check "errors of 0 explain nothing" zero_errors
 
 identical() {
     ends 0 compare one.csv one.csv --tolerance 0 && silent err && says out "90, 70.3446 m^2" && says out "MSE        0 W" &&
-        says out "+0 W/m^2" && ! grep -qE "worst|errors" out
+        says out "+0 W/m^2" && ! grep -q "errors" out
 }
-check "a table is no distance from itself, and no patch is the worst" identical
+check "a table is no distance from itself" identical
 
 # Patch 5 is 1 m^2 of 70.3446398: MSE 0.5^2 / 3 / 70.3446398 = 1.18464e-3.
 one_changed() {
     awk -F, -v OFS=, '$1 == 5 { $17 = sprintf("%.17g", $17 + 0.5) } 1' one.csv >changed.csv
-    ends 0 compare changed.csv one.csv --worst 1 && says out "MSE        0.001185 W" && says out "+0.5 W/m^2 in one channel of patch 5" &&
-        grep -qE "^ +5 +100.00 % .* floor$" out && ends 0 compare changed.csv one.csv --json && says out '"mean_square_error": 0.0011846'
+    ends 0 compare changed.csv one.csv && says out "MSE        0.001185 W" && says out "+0.5 W/m^2 in one channel of patch 5" &&
+        ends 0 compare changed.csv one.csv --json && says out '"mean_square_error": 0.0011846'
 }
 check "one changed patch of a real table gives the MSE of its area" one_changed
 
@@ -108,20 +105,11 @@ json() {
         '"relative_root_mean_square_error": 0.264575' '"largest_deviation": 2' '"largest_deviation_patch": 0' \
         '"mean_radiosity": 4.75' '"reference_mean_radiosity": 5' '"mean_radiosity_difference": -0.05' \
         '"expected_relative_mean_square_error": null' '"reference_expected_relative_mean_square_error": 0.04' \
-        '"measured_over_expected": 1.75' \
-        '{"patch": 0, "material": "red, \"shiny\"", "centre": [1, 2, 3], "radiosity": 10, "reference_radiosity": 8, "share": 0.57142'; do
+        '"measured_over_expected": 1.75'; do
         says out "$line" || return
     done
 }
 check "--json gives the same to programs" json
-
-worst() {
-    awk -F, -v OFS=, '$1 ~ /^[0-9]+$/ { $17 = sprintf("%.17g", $17 + 1 / ($1 + 1)) } 1' one.csv >all-changed.csv
-    ends 0 compare all-changed.csv one.csv && lines_are out 12 && ends 0 compare all-changed.csv one.csv --worst 0 && lines_are out 6 &&
-        ends 0 compare all-changed.csv one.csv --worst 1M && lines_are out 97 || return
-    tail -n 90 out | awk '$2 + 0 > before && NR > 1 { exit 1 } { before = $2 + 0 }'
-}
-check "--worst chooses how many patches are named, largest share first" worst
 
 tolerance() {
     ends 0 compare a.csv b.csv --tolerance 27% && silent err && ends 0 compare a.csv b.csv --tolerance 0.2646 &&
@@ -174,7 +162,7 @@ wrong() {
     ends 2 compare "$@" && silent out && says err "$text"
 }
 check "three are too many" wrong "b.csv" a.csv b.csv b.csv
-check "a number of patches that is none is refused" wrong "--worst: expected a count" a.csv b.csv --worst some
+check "a number of points that is none is refused" wrong "--points: expected a count" a.csv b.csv --points some
 check "a tolerance that could mean two things is refused" wrong "--tolerance: expected a share" a.csv b.csv --tolerance 1
 
 # Finer patches err less; what is shown is not the patches of the reference, but near the light that is gathered from it.

@@ -99,12 +99,12 @@ refused() {
     shift 2
     ends "$status" explain "$scene" --of 2^12 "$@" && silent out && lines_are err "$((status == 2 ? 2 : 1))" && says err "$text"
 }
-check "an unknown stage is refused" refused 2 "--stage: expected first-shot or global with --method first-shot, got 'firstshot'" --stage firstshot
+check "an unknown stage is refused" refused 2 "--stage: expected one of first-shot, global with --method first-shot, got 'firstshot'" --stage firstshot
 bundle_told() {
     ends 0 explain "$scene" --method transillumination --of 2^14 --lines 5 -o bundle.svg && says out "Lines of one direction of transillumination of a run" &&
         says out "line 5 of" && says out " sends " && grep -q "line 5" bundle.svg && ends 0 explain "$scene" --method transillumination --stage first-shot --of 2^14 &&
-        ends 2 explain "$scene" --method transillumination --stage global && says err "expected first-shot or bundle" &&
-        ends 2 explain "$scene" --stage bundle && says err "expected first-shot or global with --method first-shot"
+        ends 2 explain "$scene" --method transillumination --stage global && says err "expected one of first-shot, bundle" &&
+        ends 2 explain "$scene" --stage bundle && says err "expected one of first-shot, global with --method first-shot"
 }
 check "parallel lines of transillumination are told and drawn" bundle_told
 relatives_told() {
@@ -117,12 +117,12 @@ relatives_told() {
 check "gathering walks and rays of an iteration are told and drawn" relatives_told
 check "a pass that is no number is refused" refused 2 "--stage: expected a count" --method extended --stage extended:x
 check "pass 0 is refused" refused 2 "--stage: expected a count" --method extended --stage extended:0
-check "a first shot of the global method is refused" refused 2 "expected global with --method global, got 'first-shot'" --method global --stage first-shot
+check "a first shot of the global method is refused" refused 2 "expected one of global with --method global, got 'first-shot'" --method global --stage first-shot
 check "particles of another method are refused" refused 2 "got 'local'" --stage local
 check "line reuse, which carries nothing along its lines, is refused" refused 2 "--method: expected one of local, global, first-shot, extended, jacobi, transillumination, gathering, got 'reuse'" \
     --method reuse
-check "global lines of the local method are refused" refused 2 "expected local with --method local, got 'global'" --method local --stage global
-check "a later pass of the plain first shot is refused" refused 2 "expected first-shot or global with --method first-shot, got 'extended:2'" --stage extended:2
+check "global lines of the local method are refused" refused 2 "expected one of local with --method local, got 'global'" --method local --stage global
+check "a later pass of the plain first shot is refused" refused 2 "expected one of first-shot, global with --method first-shot, got 'extended:2'" --stage extended:2
 check "a pass that does not happen is refused" refused 2 "but pass 900 is asked for" --method extended --stage extended:900
 check "no lines are refused" refused 2 "--lines: expected a count" --lines 0
 check "more than 1000 lines are refused" refused 2 "--lines: expected a count from 1 to 1000" --lines 1001

@@ -88,8 +88,7 @@ far_away() {
         for (k = 1; k <= 3; ++k) if (d[k] > 1e-6 || d[k] < -1e-6) { print; ++wrong } }
         END { exit wrong || NR < 150 }' || return
     ends 0 check far.obj && says out "from (500000, 120, 4649776) to (500000.55, 120.55, 4649776.56)" &&
-        ends 0 solve far.obj --lines 2^11 --patch-size 0.2 --quiet -o fewer.csv && ends 0 compare fewer.csv far.csv --worst 1 &&
-        grep -q '(500000\.[0-9]*, 120[.0-9]*, 4649776\.[0-9]*)' out
+        ends 0 solve far.obj --lines 2^11 --patch-size 0.2 --quiet -o fewer.csv && ends 0 compare fewer.csv far.csv
 }
 check "far from the origin coordinates are as exact as near it" far_away
 

@@ -60,15 +60,6 @@ TEST_CASE("every option is explained in its command's help")
     });
 }
 
-TEST_CASE("only the last operand of a command may be repeated or left out")
-{
-    for (const Command& command : commands()) {
-        const std::vector<Operand>& operands = command.table.operands;
-        for (std::size_t i = 0; i + 1 < operands.size(); ++i)
-            CHECK_FALSE((operands[i].repeatable || operands[i].optional));
-    }
-}
-
 TEST_CASE("topics have names of their own, and their lines are no wider than 80 columns")
 {
     std::set<std::string_view> names;

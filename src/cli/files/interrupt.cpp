@@ -16,13 +16,10 @@ namespace {
 
 constexpr unsigned seconds_to_end = 2;
 
-// Flags are int, not bool: RISC-V has no atomic exchange of single bytes.
 std::atomic<int> signal_received{0};
 std::atomic<int> always_ends{0};
-std::atomic<const char*> end_hint{""};
 std::atomic<int> delays{0};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free,
-              "signal handlers read them");
+static_assert(std::atomic<int>::is_always_lock_free, "signal handlers read them");
 
 /// Writes a text with '?' for control characters, without the heap.
 void write_text(const char* text)
@@ -50,10 +47,7 @@ void begin_last_line(const char* text)
 extern "C" void end_at_once(int)
 {
     remove_unfinished();
-    const char* const hint = end_hint;
     begin_last_line("interrupted");
-    write_text(*hint != '\0' ? "; " : "");
-    write_text(hint);
     end_last_line(exit_interrupted);
 }
 
@@ -97,10 +91,9 @@ void end_at_interrupts()
     handle_end_signals(end_at_once);
 }
 
-void always_end_at_interrupts(const char* hint)
+void always_end_at_interrupts()
 {
-    if (always_ends.exchange(1) == 0) // the first call is by the command that the user typed
-        end_hint = hint;
+    always_ends = 1;
 }
 
 void watch_interrupts()

@@ -8,9 +8,8 @@ namespace multipath {
 /// exits with exit_interrupted.
 void end_at_interrupts();
 
-/// Disables watch_interrupts() for the rest of the program, for commands that run other commands. `hint`: a string
-/// literal that end_at_interrupts() appends to its line. Only the hint of the first call counts.
-void always_end_at_interrupts(const char* hint = "");
+/// Disables watch_interrupts() for the rest of the program, for commands that run other commands.
+void always_end_at_interrupts();
 
 /// From now on a signal makes interrupted() true, so that the work can stop and write its partial results. If the
 /// program still runs two seconds later (see InterruptDelay), or receives a second signal, the handler ends it with

@@ -27,136 +27,7 @@ const Option* first_option(const CommandTable& table, const Predicate& holds)
     return nullptr;
 }
 
-/// Parses the arguments in one pass into options and operands.
-class Reader
-{
-public:
-    Reader(const CommandTable& table, const std::vector<std::string>& arguments) : table_(table), arguments_(arguments)
-    {
-    }
-
-    void read()
-    {
-        bool options_ended = false;
-        while (next_ < arguments_.size() && !help_wanted()) {
-            const std::string& argument = arguments_[next_++];
-            if (options_ended || argument.size() < 2 || argument[0] != '-')
-                operands.push_back(argument);
-            else if (argument == "--")
-                options_ended = true;
-            else if (argument[1] == '-')
-                read_long(argument);
-            else
-                read_short(argument);
-        }
-        if (!help_wanted())
-            check_operands();
-    }
-
-    std::map<std::string, std::vector<std::string>, std::less<>> given;
-    std::vector<std::string> operands;
-
-private:
-    bool help_wanted() const { return given.count("help") > 0; }
-
-    /// `--name`, `--name value`, `--name=value`
-    void read_long(const std::string& argument)
-    {
-        const std::size_t equals = argument.find('=');
-        const std::string name = argument.substr(2, equals == std::string::npos ? equals : equals - 2);
-        const Option* option = find_option(table_, name);
-        if (option == nullptr)
-            refuse_unknown(argument.substr(0, equals));
-        else if (option->argument.empty() && equals != std::string::npos)
-            throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(argument.substr(equals + 1)));
-        else if (option->argument.empty())
-            record(*option, "");
-        else
-            record(*option, equals == std::string::npos ? next_value(*option) : argument.substr(equals + 1));
-    }
-
-    /// `-q`, `-o value`, `-ovalue`, and flags in front of either: `-qo value`
-    void read_short(const std::string& argument)
-    {
-        for (std::size_t i = 1; i < argument.size() && !help_wanted(); ++i) {
-            const Option* option = first_option(table_, [&](const Option& o) { return o.short_name == argument[i]; });
-            if (option == nullptr) {
-                refuse_unknown(i == 1 ? argument : std::string("-") + argument[i]);
-            } else if (option->argument.empty()) {
-                record(*option, "");
-            } else {
-                const std::string rest = argument.substr(i + 1);
-                if (!rest.empty() && rest[0] == '=')
-                    throw UsageError("write " + dashed(*option) + rest + " or -" + option->short_name + " " +
-                                     rest.substr(1) + ", not " + argument);
-                record(*option, rest.empty() ? next_value(*option) : rest);
-                return;
-            }
-        }
-    }
-
-    /// Takes the argument after an option as its value. Throws UsageError for one that looks like a long option:
-    /// `-o --quiet` more often has its value missing than names such a file, for which one writes `--output=--quiet`.
-    std::string next_value(const Option& option)
-    {
-        if (next_ == arguments_.size() || arguments_[next_].compare(0, 2, "--") == 0)
-            throw UsageError(dashed(option) + " needs a value: " + dashed(option) + " " + std::string(option.argument));
-        return arguments_[next_++];
-    }
-
-    void record(const Option& option, const std::string& value)
-    {
-        if (!option.choices.empty())
-            require_choice(dashed(option), value, option.choices);
-        std::vector<std::string>& values = given[std::string(option.name)];
-        if (!values.empty() && !option.repeatable)
-            throw UsageError(dashed(option) + " is given twice");
-        if (std::find(values.begin(), values.end(), value) != values.end())
-            throw UsageError(dashed(option) + ": " + quoted_argument(value) + " is named twice");
-        values.push_back(value);
-    }
-
-    [[noreturn]] void refuse_unknown(const std::string& typed) const
-    {
-        std::vector<std::string> names;
-        for (const Option& option : all_options(table_.groups))
-            names.push_back(dashed(option));
-        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, names));
-    }
-
-    void check_operands() const
-    {
-        const std::vector<Operand>& wanted = table_.operands;
-        const bool last_is_optional = !wanted.empty() && wanted.back().optional;
-        if (operands.size() + (last_is_optional ? 1 : 0) < wanted.size())
-            throw UsageError("missing " +
-                             operands_text({wanted.begin() + std::ptrdiff_t(operands.size()), wanted.end()}));
-        if (operands.size() > wanted.size() && (wanted.empty() || !wanted.back().repeatable))
-            throw UsageError("unexpected argument " + quoted_argument(operands[wanted.size()]) + ": '" +
-                             std::string(table_.name) + "' takes " + (wanted.empty() ? "none" : operands_text(wanted)));
-        for (std::size_t i = 0; i < operands.size(); ++i) {
-            const Operand& operand = wanted[std::min(i, wanted.size() - 1)];
-            if (!operand.choices.empty())
-                require_choice(operand.name, operands[i], operand.choices);
-        }
-    }
-
-    const CommandTable& table_;
-    const std::vector<std::string>& arguments_;
-    std::size_t next_ = 0;
-};
-
 } // namespace
-
-std::string operands_text(const std::vector<Operand>& operands)
-{
-    std::vector<std::string> texts;
-    for (const Operand& operand : operands) {
-        const std::string text = std::string(operand.name) + (operand.repeatable ? "..." : "");
-        texts.push_back(operand.optional ? "[" + text + "]" : text);
-    }
-    return join(texts, " ");
-}
 
 CommandTable with_help(CommandTable table)
 {
@@ -195,10 +66,52 @@ std::string option_text(std::string_view name, std::string_view value)
 CommandLine::CommandLine(const CommandTable& table, const std::vector<std::string>& arguments)
     : table_(with_help(table))
 {
-    Reader reader(table_, arguments);
-    reader.read();
-    given_ = std::move(reader.given);
-    operands_ = std::move(reader.operands);
+    bool options_ended = false;
+    for (std::size_t i = 0; i < arguments.size() && !has("help"); ++i) {
+        const std::string& argument = arguments[i];
+        if (options_ended || argument.size() < 2 || argument[0] != '-')
+            operands_.push_back(argument);
+        else if (argument == "--")
+            options_ended = true;
+        else if (read_option(argument, i + 1 < arguments.size() ? &arguments[i + 1] : nullptr))
+            ++i;
+    }
+    if (has("help"))
+        return;
+    const Operands& wanted = table_.operands;
+    if (operands_.size() < wanted.least)
+        throw UsageError("missing " + std::string(wanted.text));
+    if (operands_.size() > wanted.most)
+        throw UsageError("unexpected argument " + quoted_argument(operands_[wanted.most]) + ": '" +
+                         std::string(table_.name) + "' takes " + (wanted.most > 0 ? std::string(wanted.text) : "none"));
+}
+
+bool CommandLine::read_option(const std::string& argument, const std::string* next)
+{
+    const bool is_long = argument[1] == '-';
+    const std::string name = argument.substr(0, is_long ? argument.find('=') : 2);
+    const Option* option = first_option(
+        table_, [&](const Option& o) { return is_long ? dashed(o) == name : o.short_name == name.back(); });
+    if (option == nullptr)
+        throw UsageError("unknown option " + quoted_argument(argument));
+    const bool attached = name.size() < argument.size();
+    std::string value = attached ? argument.substr(name.size() + (argument[name.size()] == '=' ? 1 : 0)) : "";
+    if (attached && option->argument.empty())
+        throw UsageError(dashed(*option) + " takes no value, got " + quoted_argument(value));
+    const bool takes_next = !attached && !option->argument.empty();
+    if (takes_next && (next == nullptr || next->compare(0, 2, "--") == 0))
+        throw UsageError(dashed(*option) + " needs a value: " + dashed(*option) + " " + std::string(option->argument));
+    if (takes_next)
+        value = *next;
+    if (!option->choices.empty())
+        require_choice(dashed(*option), value, option->choices);
+    std::vector<std::string>& values = given_[std::string(option->name)];
+    if (!values.empty() && !option->repeatable)
+        throw UsageError(dashed(*option) + " is given twice");
+    if (std::find(values.begin(), values.end(), value) != values.end())
+        throw UsageError(dashed(*option) + ": " + quoted_argument(value) + " is named twice");
+    values.push_back(value);
+    return takes_next;
 }
 
 bool CommandLine::has(std::string_view name) const

@@ -37,30 +37,26 @@ struct OptionGroup
     std::vector<Option> options;
 };
 
-/// An argument that is not an option. Only the last operand of a command may be repeatable (given once or more often)
-/// or optional.
-struct Operand
+constexpr std::size_t any_number = std::string_view::npos;
+
+/// The arguments of a command that are not options.
+struct Operands
 {
-    std::string_view name; ///< "SCENE.obj"
-    bool repeatable = false;
-    bool optional = false;
-    std::vector<std::string_view> extensions = {}; ///< file extensions (".obj") that completion offers; empty: any file
-    std::vector<std::string_view> choices = {};    ///< allowed words of an operand that is no file; empty: any text
+    std::string_view text = {}; ///< as the usage line shows them: "SCENE.obj", "STATE...", "A [B]"
+    std::size_t least = 0;      ///< smallest number of them
+    std::size_t most = 0;       ///< largest number; any_number: no limit
 };
 
-/// The description of a command from which parser, help, man page and completion are made.
+/// The description of a command from which parser, help and man page are made.
 /// `--help` and `-h` belong to every command and are not listed.
 struct CommandTable
 {
     std::string_view name;    ///< "solve"
     std::string_view summary; ///< one line for the list of commands, without a full stop
-    std::vector<Operand> operands;
+    Operands operands;
     std::vector<OptionGroup> groups;
     std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
 };
-
-/// The operands as the usage line shows them: "SCENE.obj", "STATE...", "A [B]".
-std::string operands_text(const std::vector<Operand>& operands);
 
 /// A copy of the table with one more group, of --help.
 CommandTable with_help(CommandTable table);
@@ -156,6 +152,12 @@ public:
     const std::vector<std::string>& operands() const { return operands_; }
 
 private:
+    /// Records an option with its value: `--name value`, `--name=value`, `-n value`, `-nvalue`. Returns true if the
+    /// value was `next`, the argument that follows; null: there is none. A `next` that looks like a long option is
+    /// refused: `-o --quiet` more often has its value missing than names such a file, for which one writes
+    /// `--output=--quiet`.
+    bool read_option(const std::string& argument, const std::string* next);
+
     CommandTable table_;
     std::map<std::string, std::vector<std::string>, std::less<>> given_; ///< by long name; a flag has the value ""
     std::map<std::string, std::string, std::less<>> settled_;            ///< defaults by long name

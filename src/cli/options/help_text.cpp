@@ -10,7 +10,7 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t widest_left_column = 30; // the help of longer entries begins on the next line
+constexpr std::size_t option_indent = 28; ///< [columns] of the help of options
 
 std::string left_column(const Option& option)
 {
@@ -20,16 +20,6 @@ std::string left_column(const Option& option)
     if (!option.argument.empty())
         left.append(" ").append(option.argument);
     return left;
-}
-
-std::size_t left_width(const std::vector<OptionGroup>& groups)
-{
-    std::size_t widest = 0;
-    for (const Option& option : all_options(groups)) {
-        const std::size_t width = column_count(left_column(option)) + 2;
-        widest = width <= widest_left_column ? std::max(widest, width) : widest;
-    }
-    return widest;
 }
 
 } // namespace
@@ -54,11 +44,11 @@ std::string wrapped_text(std::string_view text, std::size_t column, std::size_t 
     return result + "\n";
 }
 
-std::string two_columns(const std::string& left, std::string_view right, std::size_t indent, std::size_t width)
+std::string two_columns(const std::string& left, std::string_view right, std::size_t indent)
 {
     const std::size_t used = column_count(left);
     const std::string gap = used + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - used, ' ');
-    return left + (right.empty() ? "\n" : gap + wrapped_text(right, indent, indent, width));
+    return left + (right.empty() ? "\n" : gap + wrapped_text(right, indent, indent, page_width));
 }
 
 std::string option_help(const Option& option)
@@ -80,15 +70,13 @@ std::string help_hint(std::string_view command)
 
 std::string help_text(const CommandTable& table)
 {
-    const std::vector<OptionGroup> groups = with_help(table).groups;
-    const std::size_t indent = left_width(groups);
     std::string text = "usage: multipath " + std::string(table.name) + " [OPTIONS]" +
-                       (table.operands.empty() ? "" : " ") + operands_text(table.operands) + "\n\n" +
+                       (table.operands.text.empty() ? "" : " ") + std::string(table.operands.text) + "\n\n" +
                        wrapped_text(table.summary, 0, 0, page_width);
-    for (const OptionGroup& group : groups) {
+    for (const OptionGroup& group : with_help(table).groups) {
         text.append("\n").append(group.heading).append(":\n");
         for (const Option& option : group.options)
-            text += two_columns(left_column(option), option_help(option), indent);
+            text += two_columns(left_column(option), option_help(option), option_indent);
     }
     if (!table.notes.empty())
         text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");
@@ -97,12 +85,9 @@ std::string help_text(const CommandTable& table)
 
 std::string command_list(const std::vector<CommandTable>& tables)
 {
-    std::size_t indent = 0;
-    for (const CommandTable& table : tables)
-        indent = std::max(indent, column_count(table.name) + 4);
     std::string text;
     for (const CommandTable& table : tables)
-        text += two_columns("  " + std::string(table.name), table.summary, indent);
+        text += two_columns("  " + std::string(table.name), table.summary, 12);
     return text;
 }
 
@@ -138,53 +123,10 @@ std::string escaped(std::string_view text)
     return result;
 }
 
-std::string bold(std::string_view text)
-{
-    return "\\fB" + escaped(text) + "\\fR";
-}
-
-std::string italic(std::string_view text)
-{
-    return "\\fI" + escaped(text) + "\\fR";
-}
-
-std::string upper_case(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return result;
-}
-
 /// Preformatted lines.
 std::string as_it_is(std::string_view text)
 {
-    const bool ended = !text.empty() && text.back() == '\n';
-    return ".PP\n.nf\n" + escaped(text) + (ended ? "" : "\n") + ".fi\n";
-}
-
-std::string option_entry(const Option& option)
-{
-    std::string names = option.short_name != 0 ? bold(std::string("-") + option.short_name) + ", " : "";
-    names += bold("--" + std::string(option.name));
-    if (!option.argument.empty())
-        names += " " + italic(option.argument);
-    return ".TP\n" + names + "\n" + escaped(option_help(option)) + "\n";
-}
-
-std::string command_section(const CommandTable& table)
-{
-    std::string text = ".SS " + escaped(table.name) + "\n" + bold("multipath " + std::string(table.name)) + " [" +
-                       italic("OPTIONS") + "]";
-    for (const Operand& operand : table.operands)
-        text += " " + italic(operands_text({operand}));
-    text += "\n.PP\n" + escaped(table.summary) + "\n";
-    for (const OptionGroup& group : table.groups) {
-        text += ".PP\n" + bold(std::string(group.heading) + ":") + "\n";
-        for (const Option& option : group.options)
-            text += option_entry(option);
-    }
-    return text + (table.notes.empty() ? "" : as_it_is(table.notes));
+    return ".nf\n" + escaped(text) + ".fi\n";
 }
 
 } // namespace
@@ -194,92 +136,15 @@ std::string man_page(const std::vector<CommandTable>& tables, const std::vector<
     std::string text = ".TH MULTIPATH 1 \"\" \"" + escaped(version()) +
                        "\" \"User Commands\"\n"
                        ".SH NAME\nmultipath \\- diffuse global illumination (radiosity) with global lines\n"
-                       ".SH SYNOPSIS\n" +
-                       bold("multipath") + " " + italic("COMMAND") + " [" + italic("OPTIONS") + "] " +
-                       italic("ARGUMENTS") + "\n.SH DESCRIPTION\n" + escaped(program_summary) +
-                       "\nFor a first picture:" + as_it_is("  multipath solve scenes/5cubes.obj").insert(0, "\n") +
-                       ".SH COMMANDS\n";
-    text += "Every command has the option " + bold("--help") + ", or " + bold("-h") + ", which prints its help.\n";
+                       ".SH DESCRIPTION\n" +
+                       as_it_is(program_help(tables, topics)) + ".SH COMMANDS\n";
     for (const CommandTable& table : tables)
-        text += command_section(table);
+        text += ".SS " + escaped(table.name) + "\n" + as_it_is(help_text(table));
+    text += ".SH TOPICS\n";
     for (const HelpTopic& topic : topics)
-        text += ".SH " + escaped(upper_case(topic.name)) + "\n" + as_it_is(topic.text);
-    return text + ".SH ENVIRONMENT\n.TP\n" + bold("MULTIPATH_KERNELS") +
-           "\nLimits the instruction sets to avx512, avx2, sse2 or plain; the result does not depend on it.\n";
-}
-
-namespace {
-
-// '=' separates words unless COMP_WORDBREAKS is changed: --method=reuse then arrives as three words.
-constexpr const char* bash_functions = R"(# bash completion of multipath, written by 'multipath help --completion bash'.
-
-_multipath_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word"); }
-_multipath_folders() {
-    compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(compgen -d -- "$word")
-}
-_multipath_files() {
-    local extension
-    compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(
-        compgen -d -- "$word"
-        for extension in ${*:-""}; do compgen -f -X "!*$extension" -- "$word"; done
-    )
-}
-
-_multipath() {
-    local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]}
-    [[ $word == = ]] && word=
-    [[ $option == = ]] && option=${COMP_WORDS[COMP_CWORD - 2]}
-    COMPREPLY=()
-)";
-
-std::string offered(const std::vector<std::string_view>& words)
-{
-    return "_multipath_words '" + join(words, " ") + "'";
-}
-
-std::string value_case(const Option& option)
-{
-    const std::string action = option.argument == "FILE"     ? "_multipath_files; "
-                               : option.argument == "FOLDER" ? "_multipath_folders; "
-                               : option.choices.empty()      ? ""
-                                                             : offered(option.choices) + "; ";
-    const std::string short_form = option.short_name == 0 ? "" : std::string(" | -") + option.short_name;
-    return "        --" + std::string(option.name) + short_form + ") " + action + "return ;;\n";
-}
-
-std::string command_case(const CommandTable& table)
-{
-    std::string values;
-    std::string names;
-    for (const Option& option : all_options(with_help(table).groups)) {
-        values += option.argument.empty() ? "" : value_case(option);
-        names += (names.empty() ? "--" : " --") + std::string(option.name);
-    }
-    const std::string options = "_multipath_words '" + names + "'";
-    std::string operand = options;
-    if (!table.operands.empty()) {
-        const Operand& last = table.operands.back();
-        operand = last.choices.empty() ? "_multipath_files " + join(last.extensions, " ") : offered(last.choices);
-    }
-    return "    " + std::string(table.name) + ")\n        case $option in\n" + values +
-           "        esac\n        case $word in\n        -*) " + options + " ;;\n        *) " + operand +
-           " ;;\n        esac ;;\n";
-}
-
-} // namespace
-
-std::string bash_completion(const std::vector<CommandTable>& tables)
-{
-    std::vector<std::string_view> first_words = names_of(tables);
-    first_words.insert(first_words.end(), {"--help", "--version"});
-    std::string cases;
-    for (const CommandTable& table : tables)
-        cases += command_case(table);
-    return std::string(bash_functions) + "    if ((COMP_CWORD == 1)); then\n        " + offered(first_words) +
-           "\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n" + cases +
-           "    esac\n}\n\ncomplete -F _multipath multipath\n";
+        text += ".SS " + escaped(topic.name) + "\n" + as_it_is(topic.text);
+    return text + ".SH ENVIRONMENT\n.TP\nMULTIPATH_KERNELS\n"
+                  "Limits the instruction sets to avx512, avx2, sse2 or plain; the result does not depend on it.\n";
 }
 
 } // namespace multipath

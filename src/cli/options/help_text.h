@@ -25,12 +25,11 @@ struct HelpTopic
 inline const std::string program_summary =
     "multipath computes diffuse global illumination (radiosity) with global lines.";
 
-constexpr std::size_t page_width = 90; ///< [columns] width of the help of commands
+constexpr std::size_t page_width = 80; ///< [columns] width of the help
 
-/// Two columns of text: `left`, and `right` wrapped into the columns from `indent` to `width`. `right` begins on the
+/// Two columns of text: `left`, and `right` wrapped into the columns from `indent` to page_width. `right` begins on the
 /// next line if `left` is too long.
-std::string two_columns(const std::string& left, std::string_view right, std::size_t indent,
-                        std::size_t width = page_width);
+std::string two_columns(const std::string& left, std::string_view right, std::size_t indent);
 
 /// The help of an option, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
 std::string option_help(const Option& option);
@@ -39,7 +38,7 @@ std::string option_help(const Option& option);
 std::string help_hint(std::string_view command);
 
 /// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. Summary and
-/// options are wrapped to 90 columns; the notes are printed as they are.
+/// options are wrapped to 80 columns; the notes are printed as they are.
 std::string help_text(const CommandTable& table);
 
 /// The output of `multipath --help`.
@@ -48,13 +47,8 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
 /// One entry per command: name and summary, aligned.
 std::string command_list(const std::vector<CommandTable>& tables);
 
-/// The manual page (roff with the macros of man(7)): every command with its options, then every topic. The page carries
-/// the version but no date, so that the same tables give the same bytes.
+/// The manual page (roff with the macros of man(7)): the help of every command, then every topic, as they are. The page
+/// carries the version but no date, so that the same tables give the same bytes.
 std::string man_page(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
-
-/// A bash script that completes commands, their options and choices, and files with the extensions that the last
-/// operand takes. After an option it offers all files if the argument of the option is called FILE, and folders if it
-/// is called FOLDER.
-std::string bash_completion(const std::vector<CommandTable>& tables);
 
 } // namespace multipath

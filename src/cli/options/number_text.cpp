@@ -6,6 +6,7 @@
 #include "scene/text/text_words.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -95,33 +96,39 @@ std::optional<double> number_value(std::string_view text)
     return suffixed_value(text);
 }
 
-/// "from 1 to 64", "of at least 1" or "of at most 64".
-std::string range_words(const std::string& low, const std::string& high, bool low_is_free, bool high_is_free)
-{
-    if (high_is_free)
-        return " of at least " + low;
-    return low_is_free ? " of at most " + high : " from " + low + " to " + high;
-}
-
 struct Unit
 {
     std::string_view name;
     double factor;
 };
 
+constexpr std::array<Unit, 14> units_of_memory = {{{"", 1.0},
+                                                   {"b", 1.0},
+                                                   {"k", 1e3},
+                                                   {"kb", 1e3},
+                                                   {"kib", 1024.0},
+                                                   {"m", 1e6},
+                                                   {"mb", 1e6},
+                                                   {"mib", 0x1p20},
+                                                   {"g", 1e9},
+                                                   {"gb", 1e9},
+                                                   {"gib", 0x1p30},
+                                                   {"t", 1e12},
+                                                   {"tb", 1e12},
+                                                   {"tib", 0x1p40}}};
+constexpr std::array<Unit, 6> units_of_time = {
+    {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"m", 60.0}, {"min", 60.0}, {"h", 3600.0}}};
+
 /// The value of a number that is followed by one of the units; nothing for any other text. Suffixes such as k, M and G
 /// count only if they are among the units.
-std::optional<double> value_with_unit(std::string_view text, const std::vector<Unit>& units)
+template <class Units>
+std::optional<double> value_with_unit(std::string_view text, const Units& units)
 {
     const std::size_t number_length = std::min(text.find_last_of("0123456789.") + 1, text.size());
-    const std::string_view name = text.substr(number_length);
-    const std::string_view number = text.substr(0, number_length);
-    for (const Unit& unit : units) {
-        if (unit.name != name)
-            continue;
-        const std::optional<double> value = number_value(number);
-        return value ? std::optional<double>(*value * unit.factor) : std::nullopt;
-    }
+    const std::optional<double> value = number_value(text.substr(0, number_length));
+    for (const Unit& unit : units)
+        if (value && unit.name == text.substr(number_length))
+            return *value * unit.factor;
     return std::nullopt;
 }
 
@@ -146,8 +153,7 @@ std::uint64_t read_count(std::string_view option, std::string_view text, std::ui
         refuse(option, "a count such as 1000000, 1e6, 1M or 2^20", text);
     if (*value < low || *value > high)
         refuse(option,
-               "a count" + range_words(std::to_string(low), high == largest_count ? "2^63" : std::to_string(high),
-                                       low == 0, *value < low && high == largest_count),
+               "a count from " + std::to_string(low) + " to " + (high == largest_count ? "2^63" : std::to_string(high)),
                text);
     return *value;
 }
@@ -158,11 +164,7 @@ double read_real(std::string_view option, std::string_view text, double low, dou
     if (!value)
         refuse(option, "a number such as 0.5, 1e-3 or 2M", text);
     if (*value < low || *value > high)
-        refuse(option,
-               "a number" + range_words(format("%g", low), format("%g", high),
-                                        low == std::numeric_limits<double>::lowest(),
-                                        high == std::numeric_limits<double>::max()),
-               text);
+        refuse(option, format("a number from %g to %g", low, high), text);
     return *value;
 }
 
@@ -186,20 +188,7 @@ double read_share(std::string_view option, std::string_view text)
 
 std::uint64_t read_bytes(std::string_view option, std::string_view text)
 {
-    const std::optional<double> bytes = value_with_unit(lower_case(text), {{"", 1},
-                                                                           {"b", 1},
-                                                                           {"k", 1e3},
-                                                                           {"kb", 1e3},
-                                                                           {"m", 1e6},
-                                                                           {"mb", 1e6},
-                                                                           {"g", 1e9},
-                                                                           {"gb", 1e9},
-                                                                           {"t", 1e12},
-                                                                           {"tb", 1e12},
-                                                                           {"kib", 1024.0},
-                                                                           {"mib", 0x1p20},
-                                                                           {"gib", 0x1p30},
-                                                                           {"tib", 0x1p40}});
+    const std::optional<double> bytes = value_with_unit(lower_case(text), units_of_memory);
     if (!bytes || *bytes < 1.0 || *bytes > 0x1p63)
         refuse(option, "a size such as 512MB, 2GB or 1GiB", text);
     return static_cast<std::uint64_t>(*bytes);
@@ -207,8 +196,7 @@ std::uint64_t read_bytes(std::string_view option, std::string_view text)
 
 double read_seconds(std::string_view option, std::string_view text)
 {
-    const std::optional<double> seconds =
-        value_with_unit(text, {{"", 1}, {"s", 1}, {"ms", 1e-3}, {"m", 60}, {"min", 60}, {"h", 3600}});
+    const std::optional<double> seconds = value_with_unit(text, units_of_time);
     if (!seconds || *seconds <= 0.0 || std::isinf(*seconds))
         refuse(option, "a time such as 30s, 5m, 2h or 250ms", text);
     return *seconds;

@@ -3,8 +3,6 @@
 #include "base/elementary.h"
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
-#include "cli/progress.h"
 #include "commands/options/memory_limit.h"
 #include "export/csv_text.h"
 #include "export/lightmap/lightmap.h"
@@ -298,7 +296,7 @@ OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Output file, whose extension determines the format: " + alternatives(extensions_of_formats()) +
+              "Output file, whose extension determines the format: " + join(extensions_of_formats()) +
                   " ('multipath help outputs' describes them). '-' writes the first of these to standard output. "
                   "By default a " +
                   join(extensions_of_formats(true), " and a ") +
@@ -306,8 +304,7 @@ OptionGroup solution_output_group()
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
              {"quiet", 'q', "", "", "Print only errors on stderr."},
-             {"verbose", 'v', "", "", "Also show the balance of power after every stage."},
-             progress_option()}};
+             {"verbose", 'v', "", "", "Also show the balance of power after every stage."}}};
 }
 
 std::vector<std::string> default_outputs(const std::string& path)

@@ -15,7 +15,7 @@ CommandTable solve_like()
 {
     return {"solve",
             "solve a scene",
-            {{"SCENE.obj"}},
+            {"SCENE.obj", 1, 1},
             {{"Results", {{"output", 'o', "FILE", "", "write FILE", true}}},
              {"Budget",
               {{"lines", 0, "N", "2^20", "lines"},
@@ -35,7 +35,8 @@ using Texts = std::vector<std::string>;
 
 TEST_CASE("all spellings of an option with a value mean the same")
 {
-    for (const Texts& spelling : {Texts{"--output", "a.png"}, {"--output=a.png"}, {"-o", "a.png"}, {"-oa.png"}}) {
+    for (const Texts& spelling :
+         {Texts{"--output", "a.png"}, {"--output=a.png"}, {"-o", "a.png"}, {"-oa.png"}, {"-o=a.png"}}) {
         Texts before = spelling;
         before.push_back("room.obj");
         Texts after = {"room.obj"};
@@ -80,18 +81,11 @@ TEST_CASE("values may hold equals signs, start with one dash, or be empty")
     CHECK(parse({"room.obj", "--output="}).all("output") == Texts{""});
 }
 
-TEST_CASE("short flags can be joined, the last may take a value")
-{
-    const CommandLine line = parse({"room.obj", "-qoa.png"});
-    CHECK(line.has("quiet"));
-    CHECK(line.all("output") == Texts{"a.png"});
-}
-
 TEST_CASE("help is answered whatever is missing")
 {
     CHECK(parse({"--help"}).has("help"));
     CHECK(parse({"-h", "--nonsense"}).has("help"));
-    CHECK(parse({"-qh"}).has("help"));
+    CHECK(parse({"-q", "-h"}).has("help"));
     CHECK_FALSE(parse({"room.obj"}).has("help"));
     CHECK_FALSE(parse({"--", "--help"}).has("help"));
 }
@@ -104,16 +98,15 @@ TEST_CASE("wrong usage is refused with one plain line")
         const char* message;
     };
     const std::vector<Wrong> cases = {
-        {{"room.obj", "--line", "5"}, "unknown option '--line'; did you mean --lines?"},
-        {{"room.obj", "--line=5"}, "unknown option '--line'; did you mean --lines?"},
+        {{"room.obj", "--line", "5"}, "unknown option '--line'"},
+        {{"room.obj", "--line=5"}, "unknown option '--line=5'"},
         {{"room.obj", "--zebra"}, "unknown option '--zebra'"},
         {{"room.obj", "-x"}, "unknown option '-x'"},
-        {{"room.obj", "-qx"}, "unknown option '-x'"},
-        {{"room.obj", "-lines"}, "unknown option '-lines'; did you mean --lines?"},
+        {{"room.obj", "-qx"}, "--quiet takes no value, got 'x'"},
+        {{"room.obj", "-lines"}, "unknown option '-lines'"},
         {{"room.obj", "--lines"}, "--lines needs a value: --lines N"},
         {{"room.obj", "-o"}, "--output needs a value: --output FILE"},
         {{"room.obj", "-o", "--quiet"}, "--output needs a value: --output FILE"},
-        {{"room.obj", "-o=a.png"}, "write --output=a.png or -o a.png, not -o=a.png"},
         {{"room.obj", "--quiet=yes"}, "--quiet takes no value, got 'yes'"},
         {{"room.obj", "--lines", "5", "--lines=6"}, "--lines is given twice"},
         {{"room.obj", "-q", "--quiet"}, "--quiet is given twice"},
@@ -129,22 +122,16 @@ TEST_CASE("wrong usage is refused with one plain line")
 
 TEST_CASE("the number of operands is what the table says")
 {
-    const CommandTable compare = {"compare", "", {{"A"}, {"B"}}, {}};
+    const CommandTable compare = {"compare", "", {"A [B]", 1, 2}, {}};
     CHECK(CommandLine(compare, {"x", "y"}).operands() == Texts{"x", "y"});
-    CHECK_THROWS_WITH_AS(CommandLine(compare, {}), "missing A B", UsageError);
-    CHECK_THROWS_WITH_AS(CommandLine(compare, {"x"}), "missing B", UsageError);
-    CHECK_THROWS_WITH_AS(CommandLine(compare, {"x", "y", "z"}), "unexpected argument 'z': 'compare' takes A B",
+    CHECK(CommandLine(compare, {"x"}).operands() == Texts{"x"});
+    CHECK_THROWS_WITH_AS(CommandLine(compare, {}), "missing A [B]", UsageError);
+    CHECK_THROWS_WITH_AS(CommandLine(compare, {"x", "y", "z"}), "unexpected argument 'z': 'compare' takes A [B]",
                          UsageError);
 
-    const CommandTable merge = {"merge", "", {{"STATE", true}}, {}};
+    const CommandTable merge = {"merge", "", {"STATE...", 1, any_number}, {}};
     CHECK(CommandLine(merge, {"x", "y", "z"}).operands().size() == 3);
     CHECK_THROWS_WITH_AS(CommandLine(merge, {}), "missing STATE...", UsageError);
-
-    const CommandTable selftest = {"selftest", "", {{"SCENE.obj", false, true}}, {}};
-    CHECK(CommandLine(selftest, {}).operands().empty());
-    CHECK(CommandLine(selftest, {"x"}).operands() == Texts{"x"});
-    CHECK_THROWS_WITH_AS(CommandLine(selftest, {"x", "y"}), "unexpected argument 'y': 'selftest' takes [SCENE.obj]",
-                         UsageError);
 
     const CommandTable points = {"points", "", {}, {}};
     CHECK(CommandLine(points, {}).operands().empty());

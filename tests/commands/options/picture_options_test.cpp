@@ -20,7 +20,7 @@ const ScratchFolder folder;
 
 TEST_CASE("a view from a file is the one that options give")
 {
-    const CommandTable table = {"solve", "solve a scene", {{"SCENE.obj"}}, {picture_option_group()}};
+    const CommandTable table = {"solve", "solve a scene", {"SCENE.obj", 1, 1}, {picture_option_group()}};
     const auto options = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "room.obj");
         return read_picture_options(CommandLine(table, arguments), 1);

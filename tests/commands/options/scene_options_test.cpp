@@ -19,7 +19,7 @@ namespace {
 CommandLine solve_line(std::vector<std::string> arguments)
 {
     arguments.insert(arguments.begin(), "scenes/furnace.obj");
-    return {{"solve", "", {{"SCENE.obj"}}, {accuracy_option_group(), scene_option_group()}}, arguments};
+    return {{"solve", "", {"SCENE.obj", 1, 1}, {accuracy_option_group(), scene_option_group()}}, arguments};
 }
 
 std::uint32_t patches(const std::vector<std::string>& arguments)
@@ -58,7 +58,8 @@ TEST_CASE("every remedy is a scene option that takes its value")
         std::vector<std::string> words = {"scenes/furnace.obj", text.substr(1, space - 1)};
         if (space != std::string::npos)
             words.push_back(text.substr(space + 1));
-        const CommandLine line({"check", "", {{"SCENE.obj"}}, {scene_option_group()}}, words); // throws if it is none
+        const CommandLine line({"check", "", {"SCENE.obj", 1, 1}, {scene_option_group()}},
+                               words); // throws if it is none
         CHECK(line.text(words[1].substr(2)) == value);
         return words[1];
     };
@@ -84,7 +85,7 @@ TEST_CASE("the error of a scene without light advises the options that light it"
 {
     const ScratchFolder folder;
     const std::string path = folder.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
-    const CommandLine line({"solve", "", {{"SCENE.obj"}}, {scene_option_group()}}, {path});
+    const CommandLine line({"solve", "", {"SCENE.obj", 1, 1}, {scene_option_group()}}, {path});
     std::string problem;
     try {
         read_scene(line);
