@@ -100,28 +100,21 @@ int run_merge(const CommandLine& line)
         throw InputError(runs[0].name() +
                          ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");
     require_all_shards(runs);
-    const SolveJob job =
-        read_solve_job(command_line_of(runs[0].description, line.words(all_options(line.table().groups))));
-    const std::vector<std::string> inputs =
-        concatenated({input_files(*runs[0].description.scene.file), line.operands(), line.all("camera")});
-    const std::vector<std::string> paths =
-        line.has("output") ? line.all("output") : default_outputs(runs[0].description.scene.file->path);
-    std::vector<PlannedOutput> outputs = open_solution_outputs(job.line, paths, inputs, job.pictures);
-    const Scene scene = restored(runs[0].description.scene);
-    require_results_possible(job, scene, outputs);
-    SavedRun sum =
-        read_saved_run(std::make_unique<StateReader>("the sum of the shards", FileBytes(merged(runs, job, scene))));
+    SavedJob wanted = open_saved_job(line, runs[0].description, runs[0].description.scene.file->path);
+    SavedRun sum = read_saved_run(
+        std::make_unique<StateReader>("the sum of the shards", FileBytes(merged(runs, wanted.job, wanted.scene))));
+    const std::vector<std::string> paths = line.all("output");
     const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
-    if (std::all_of(paths.begin(), paths.end(), is_state)) {
-        for (PlannedOutput& output : outputs)
+    if (!paths.empty() && std::all_of(paths.begin(), paths.end(), is_state)) {
+        for (PlannedOutput& output : wanted.outputs)
             output.file.write(sum.arrays->bytes());
-        commit(outputs);
+        commit(wanted.outputs);
         return 0;
     }
     runs.clear();
     StateKeeper keeper({}, true, sum.description);
     keeper.resume(std::move(sum));
-    return carry_out(job, scene, outputs, keeper, {});
+    return carry_out(wanted.job, wanted.scene, wanted.outputs, keeper, {});
 }
 
 } // namespace

@@ -14,22 +14,15 @@ namespace {
 int run_render(const CommandLine& line)
 {
     for (const std::string& name : line.all("output"))
-        if (name.size() >= 6 && name.compare(name.size() - 6, 6, ".state") == 0)
+        if (kind_of(name) == FormatKind::state)
             throw UsageError("--output: render writes no states; expected a picture, mesh or table, got " +
                              quoted_argument(name));
     const SavedRun saved = read_saved_run(line.operands()[0]);
-    const SolveJob job =
-        read_solve_job(command_line_of(saved.description, line.words(all_options(line.table().groups))));
-    const std::vector<std::string> inputs =
-        concatenated({input_files(*saved.description.scene.file), line.operands(), line.all("camera")});
-    std::vector<PlannedOutput> outputs = open_solution_outputs(
-        job.line, line.has("output") ? line.all("output") : default_outputs(line.operands()[0]), inputs, job.pictures);
-    const Scene scene = restored(saved.description.scene);
-    require_results_possible(job, scene, outputs);
-    const Solution solution = finished_solution(saved, scene);
-    write_results(job, scene, solution, outputs, "");
-    if (!job.quiet)
-        for (const PlannedOutput& output : outputs)
+    SavedJob wanted = open_saved_job(line, saved.description, line.operands()[0]);
+    const Solution solution = finished_solution(saved, wanted.scene);
+    write_outputs(wanted.outputs, wanted.job, wanted.scene, solution, "");
+    if (!wanted.job.quiet)
+        for (const PlannedOutput& output : wanted.outputs)
             print_note(format("wrote      %s\n", output.file.name().c_str()));
     return 0;
 }

@@ -148,15 +148,13 @@ void add_view(const Scene& scene, const Camera& camera, double aspect, std::vect
 
 std::vector<double> weight_of_views(const Scene& scene, const PictureOptions& pictures)
 {
-    if (!pictures.eye || !pictures.target)
+    if (!pictures.views.front().eye || !pictures.views.front().target)
         throw UsageError("--important view: the view must be known before the run; expected --eye and --target, or "
                          "--camera");
     std::vector<double> weight(scene.patch_count());
     const double aspect = static_cast<double>(pictures.render.width) / pictures.render.height;
-    if (pictures.views.empty())
-        add_view(scene, camera_for(scene, pictures), aspect, weight);
     for (const View& view : pictures.views)
-        add_view(scene, view.camera, aspect, weight);
+        add_view(scene, camera_for(scene, pictures, view), aspect, weight);
     return weight;
 }
 

@@ -316,7 +316,7 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
 
 /// The journal of the runs of this study, in a file of the cache; without a file if there is no cache. Runs with other
 /// settings, scene or reference have files of their own; those by a program from other sources are overwritten. Throws
-/// OutputError.
+/// std::runtime_error.
 Journal open_journal(const CommandLine& line, const Scene& scene, const Reference& reference, const std::string& cache)
 {
     if (cache.empty())
@@ -327,11 +327,7 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     const std::vector<Rgb>& radiosity = reference.radiosity;
     const std::string bytes(reinterpret_cast<const char*>(radiosity.data()), radiosity.size() * sizeof(Rgb));
     const std::string shared = join(provenance(line, scene, not_shared), "; ") + "; reference " + checksum_of(bytes);
-    try {
-        return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; sources: " + sources_checksum());
-    } catch (const std::runtime_error& error) {
-        throw OutputError(error.what());
-    }
+    return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; sources: " + sources_checksum());
 }
 
 /// The curves of other programs, each called as its file without folder and extension.

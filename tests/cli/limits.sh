@@ -104,7 +104,7 @@ check "a sequence that is too short" late_usage "ends after 1 items" --sequence 
 check "a sequence that ends" late_usage "ends after" --skip 2^48 --sequence hammersley:1000
 check "more replicates than lines" late_usage "expected more lines" --lines 3 --replicates 4
 check "more lines than reuse counts" late_usage "expected fewer" --lines 2^33
-check "lines too few to meet a source" late_usage "none of 1 lines left a source" --lines 1 --method global
+check "lines too few to meet a source" late_usage "1 lines found no light on any surface" --lines 1 --method global
 late_trace() { ends 2 explain cube.obj --of 1000 --first 1M && says err "this stage has"; }
 check "a line that the run does not have" late_trace
 finish

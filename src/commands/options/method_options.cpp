@@ -193,10 +193,11 @@ void require_options_with_effect(const CommandLine& line, const std::vector<std:
             throw UsageError("--" + name + " has no effect with " + given);
 }
 
-std::string checked_sequence_name(const SolveOptions& options, const std::string& option)
+std::string checked_sequence_name(const SolveOptions& options, const std::string& option, bool randomised)
 {
     try {
-        return make_line_sequence(options.sequence, options.seed, options.pairing)->name();
+        const std::string name = make_line_sequence(options.sequence, options.seed, options.pairing)->name();
+        return randomised ? randomised_name(name) : name;
     } catch (const std::invalid_argument& error) {
         throw UsageError(option + ": " + error.what());
     }

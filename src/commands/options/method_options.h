@@ -50,8 +50,9 @@ void require_options_with_effect(const CommandLine& line);
 void require_options_with_effect(const CommandLine& line, const std::vector<std::string>& methods,
                                  const std::string& given);
 
-/// The full name of the sequence in the options. Throws UsageError if the sequence cannot be made; the message begins
-/// with `option`.
-std::string checked_sequence_name(const SolveOptions& options, const std::string& option = "--sequence");
+/// The full name of the sequence in the options, or of its randomised form. Throws UsageError if the sequence cannot be
+/// made; the message begins with `option`.
+std::string checked_sequence_name(const SolveOptions& options, const std::string& option = "--sequence",
+                                  bool randomised = false);
 
 } // namespace multipath

@@ -54,24 +54,6 @@ std::string help_of_shown()
     return text + ". A PFM holds the values. Meshes always hold the radiosity.";
 }
 
-Camera chosen_camera(const Scene& scene, const PictureOptions& options, const std::vector<Rgb>& radiosity)
-{
-    Camera camera;
-    if (options.eye) {
-        camera.eye = *options.eye;
-        camera.target = scene.own_bounds().centre();
-        camera.up = options.up;
-    } else {
-        const double aspect = static_cast<double>(options.render.width) / options.render.height;
-        camera = automatic_camera(scene, aspect, options.up, radiosity);
-    }
-    if (options.target)
-        camera.target = *options.target;
-    if (options.field_of_view)
-        camera.field_of_view = *options.field_of_view;
-    return camera;
-}
-
 ShownQuantity read_shown(const CommandLine& line)
 {
     const ShownQuantity shown = line.choice("show", known_quantities);
@@ -81,27 +63,21 @@ ShownQuantity read_shown(const CommandLine& line)
     return shown;
 }
 
-void read_views(const CommandLine& line, PictureOptions& options)
+std::vector<View> read_views(const CommandLine& line)
 {
     for (const char* other : {"eye", "target", "up", "fov"})
         if (line.has(other))
             throw UsageError("--camera and --" + std::string(other) + " exclude each other; expected one of them");
+    std::vector<View> views;
     for (const std::string& path : line.all("camera")) {
-        if (path.empty())
-            throw UsageError("--camera: the name is empty; expected a file");
-        for (const View& other : options.views)
-            if (other.name == std::filesystem::path(path).stem())
-                throw UsageError("--camera: two views are called '" + other.name +
-                                 "'; expected files of different names");
-        options.views.push_back({std::filesystem::path(path).stem().string(), read_camera_file(path)});
+        const Camera camera = read_camera_file(path);
+        const std::string name = std::filesystem::path(path).stem().string();
+        for (const View& other : views)
+            if (other.name == name)
+                throw UsageError("--camera: two views are called '" + name + "'; expected files of different names");
+        views.push_back({name, camera.eye, camera.target, camera.field_of_view, camera.up});
     }
-    const Camera first = options.views.front().camera;
-    options.eye = first.eye;
-    options.target = first.target;
-    options.up = first.up;
-    options.field_of_view = first.field_of_view;
-    if (options.views.size() == 1)
-        options.views.clear();
+    return views;
 }
 
 /// Reads "HEIGHT,STEP", such as "0.85,0.5".
@@ -174,43 +150,55 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
     options.render.threads = threads;
     options.tone.tone = line.choice("tone-map", tone_operators).tone;
     options.tone.exposure = read_real("--exposure", line.text("exposure"), -60.0, 60.0);
-    options.up = read_direction("--up", line.text("up"));
+    View& view = options.views.front();
+    view.up = read_direction("--up", line.text("up"));
     if (line.has("eye"))
-        options.eye = read_vec3("--eye", line.text("eye"));
+        view.eye = read_vec3("--eye", line.text("eye"));
     if (line.has("target"))
-        options.target = read_vec3("--target", line.text("target"));
-    if (options.eye && options.target && *options.eye == *options.target)
+        view.target = read_vec3("--target", line.text("target"));
+    if (view.eye && view.target && *view.eye == *view.target)
         throw UsageError("--target: the camera stands there (--eye); expected another point to look at");
-    if (options.eye && options.target && length(cross(*options.target - *options.eye, options.up)) == 0.0)
+    if (view.eye && view.target && length(cross(*view.target - *view.eye, view.up)) == 0.0)
         throw UsageError("--up: the camera looks along it; expected another direction");
     if (line.has("fov"))
-        options.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
+        view.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
     if (line.has("grid"))
-        options.grid = read_grid(line.text("grid"), options.up);
+        options.grid = read_grid(line.text("grid"), view.up);
     if (line.has("camera"))
-        read_views(line, options);
+        options.views = read_views(line);
     return options;
 }
 
 void require_view(const Scene& scene, const PictureOptions& options)
 {
-    if (options.eye || options.target)
-        PixelRays(camera_for(scene, options), options.render.width, options.render.height);
     for (const View& view : options.views)
-        PixelRays(view.camera, options.render.width, options.render.height);
+        if (view.eye || view.target)
+            PixelRays(camera_for(scene, options, view), options.render.width, options.render.height);
 }
 
-Camera camera_for(const Scene& scene, const PictureOptions& options)
+Camera camera_for(const Scene& scene, const PictureOptions& options, const View& view,
+                  const std::vector<Rgb>& radiosity)
 {
-    return chosen_camera(scene, options, {});
+    Camera camera;
+    if (view.eye) {
+        camera.eye = *view.eye;
+        camera.target = scene.own_bounds().centre();
+        camera.up = view.up;
+    } else {
+        const double aspect = static_cast<double>(options.render.width) / options.render.height;
+        camera = automatic_camera(scene, aspect, view.up, radiosity);
+    }
+    camera.target = view.target.value_or(camera.target);
+    camera.field_of_view = view.field_of_view.value_or(camera.field_of_view);
+    return camera;
 }
 
 PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity)
 {
-    const Camera camera = chosen_camera(scene, options, radiosity);
-    options.eye = camera.eye;
-    options.target = camera.target;
-    options.field_of_view = camera.field_of_view;
+    for (View& view : options.views) {
+        const Camera camera = camera_for(scene, options, view, radiosity);
+        view = {view.name, camera.eye, camera.target, camera.field_of_view, view.up};
+    }
     return options;
 }
 
@@ -219,7 +207,8 @@ std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& ra
     constexpr double tolerated = 0.9; // of the pixels
     constexpr std::uint8_t black = 4; // of 255: pixels up to this look black
     const RenderOptions render = preview_options(options.render);
-    const ScreenImage screen = picture(scene, radiosity, camera_for(scene, options), render, options.tone);
+    const ScreenImage screen =
+        picture(scene, radiosity, camera_for(scene, options, options.views.front()), render, options.tone);
     std::size_t dark = 0;
     for (std::size_t i = 0; i < screen.bytes.size(); i += 3)
         dark += std::max({screen.bytes[i], screen.bytes[i + 1], screen.bytes[i + 2]}) <= black ? 1 : 0;

@@ -43,11 +43,14 @@ struct ShownQuantity
 /// All quantities, the radiosity first.
 std::vector<ShownQuantity> shown_quantities();
 
-/// One of several views, each with a picture of its own.
+/// A view of the scene, as far as the user has chosen it.
 struct View
 {
-    std::string name; ///< name of its --camera file, without folder and extension
-    Camera camera;
+    std::string name = "camera"; ///< or that of its --camera file, without folder and extension
+    std::optional<Vec3> eye;     ///< [m]; absent: chosen automatically
+    std::optional<Vec3> target;  ///< [m]; absent: the centre of the scene if `eye` is given, otherwise chosen with it
+    std::optional<double> field_of_view; ///< [degrees]; absent: 60 if `eye` is given, otherwise chosen with it
+    Vec3 up = {0.0, 1.0, 0.0};           ///< upward direction
 };
 
 /// The picture options of a command line.
@@ -57,12 +60,8 @@ struct PictureOptions
     RenderOptions render;
     ToneMapOptions tone;
     Shading mesh_shading = Shading::smooth; ///< shading of meshes; they always hold the radiosity, whatever is shown
-    std::optional<Vec3> eye;                ///< [m]; absent: chosen automatically
-    std::optional<Vec3> target; ///< [m]; absent: the centre of the scene if `eye` is given, otherwise chosen with it
-    std::optional<double> field_of_view; ///< [degrees]; absent: 60 if `eye` is given, otherwise chosen with it
-    Vec3 up;                             ///< upward direction
-    std::optional<GridPlan> grid;        ///< if set, tables hold the irradiance on this grid instead of patches
-    std::vector<View> views; ///< views of --camera if several, else empty; `eye` ... `up` are those of the first
+    std::optional<GridPlan> grid;           ///< if set, tables hold the irradiance on this grid instead of patches
+    std::vector<View> views = {View{}};     ///< at least one; each of several, by --camera, gets pictures of its own
 };
 
 /// The options of every command that makes pictures.
@@ -75,10 +74,12 @@ PictureOptions read_picture_options(const CommandLine& line, int threads);
 /// no viewing direction. To be called before the work.
 void require_view(const Scene& scene, const PictureOptions& options);
 
-/// The user's camera. Parts that the user did not give are chosen for the scene, without knowing its light.
-Camera camera_for(const Scene& scene, const PictureOptions& options);
+/// The camera of a view. Parts that the user did not give are chosen for the scene and, if it is known, for the
+/// radiosity [W/m^2] per patch.
+Camera camera_for(const Scene& scene, const PictureOptions& options, const View& view,
+                  const std::vector<Rgb>& radiosity = {});
 
-/// The options with a complete camera. Parts that the user did not give are chosen for the radiosity [W/m^2] per patch.
+/// The options with complete views. Parts that the user did not give are chosen for the radiosity [W/m^2] per patch.
 PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity);
 
 /// A warning of one line if more than 90 % of the picture is black although the scene has

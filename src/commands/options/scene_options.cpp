@@ -39,22 +39,6 @@ constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"l
 constexpr std::array<std::string_view, 8> remedy_options = {
     "patch-size", "two-sided", "flip", "lamp", "sky", "sun", "reflectance-limit", "emission-from"};
 
-/// The path of a scene: the name itself if such a file exists; for a name without folder, with or without `.obj`,
-/// otherwise the bundled scene of that name. If there is none, returns the name, so that the error message of the
-/// reader quotes it.
-std::string find_scene(const std::string& name)
-{
-    std::error_code error;
-    if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(name, error))
-        return name;
-    const std::string folder = bundled_scenes_folder();
-    if (!folder.empty())
-        for (const std::string& file : {folder + "/" + name, folder + "/" + name + ".obj"})
-            if (fs::is_regular_file(file, error) && fs::path(file).extension() == ".obj")
-                return file;
-    return name;
-}
-
 /// Number of cells from which adaptive refinement begins: one for each surface, and a third of the others wanted.
 std::uint64_t coarse_cells(const SurfaceList& surfaces, double wanted)
 {
@@ -132,13 +116,9 @@ Rgb read_power(std::string_view option, const std::string& text)
         e.x = e.y = e.z = read_positive(option, text);
     else
         e = read_vec3(option, text);
-    constexpr double most = 1e30;
-    for (const double x : {e.x, e.y, e.z})
-        if (!(x >= 0.0 && x <= most))
-            throw UsageError(std::string(option) + ": expected powers from 0 to 1e30 W/m^2, got " +
-                             quoted_argument(text));
-    if (!(e.x + e.y + e.z >= 1.0 / most))
-        throw UsageError(std::string(option) + ": expected a power above 1e-30 W/m^2, got " + quoted_argument(text));
+    if (!(std::min({e.x, e.y, e.z}) >= 0.0 && std::max({e.x, e.y, e.z}) <= 1e30 && e.x + e.y + e.z >= 1e-30))
+        throw UsageError(std::string(option) + ": expected powers from 0 to 1e30 W/m^2, one of them above 1e-30, got " +
+                         quoted_argument(text));
     return {e.x, e.y, e.z};
 }
 
@@ -202,7 +182,16 @@ Scene turned_to_light(Scene scene, int threads)
 
 std::string scene_path(const CommandLine& line)
 {
-    return find_scene(line.operands()[0]);
+    const std::string name = line.operands()[0];
+    std::error_code error;
+    if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(name, error))
+        return name;
+    const std::string folder = bundled_scenes_folder();
+    if (!folder.empty())
+        for (const std::string& file : {folder + "/" + name, folder + "/" + name + ".obj"})
+            if (fs::is_regular_file(file, error) && fs::path(file).extension() == ".obj")
+                return file;
+    return name;
 }
 
 Scene read_scene(const CommandLine& line, int threads)

@@ -20,8 +20,9 @@ std::string option_text(const Advice& advice);
 /// where the message states their effect: ": --sky 10 --sun 150,40,20".
 std::string advice_text(const std::vector<Advice>& list);
 
-/// Path of the scene file that the first operand names: the file itself, or else the bundled scene of that name. If
-/// neither exists, the operand unchanged.
+/// Path of the scene file that the first operand names: the file itself if it exists; for a name without folder, with
+/// or without `.obj`, otherwise the bundled scene of that name. If there is none, the operand unchanged, so that the
+/// message of the reader quotes it.
 std::string scene_path(const CommandLine& line);
 
 /// Reads the scene of the first operand and cuts it into patches as the options say. If patches are adaptive, these are

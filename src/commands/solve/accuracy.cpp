@@ -3,12 +3,10 @@
 #include "base/errors.h"
 #include "cli/options/number_text.h"
 #include "radiosity/run/replicates.h"
-#include "sampling/sequence.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 namespace multipath {
 
@@ -80,13 +78,6 @@ Accuracy read_accuracy(const CommandLine& line)
                               : static_cast<int>(read_count("--replicates", line.text("replicates"), 1, 10000));
     if (accuracy.in_rounds() && accuracy.replicates < 2)
         throw UsageError("--replicates: --tolerance and --time need at least 2 to estimate the error; expected more");
-    if (accuracy.replicates > 1) {
-        try {
-            (void)randomised_name(line.text("sequence"));
-        } catch (const std::invalid_argument& error) {
-            throw UsageError(std::string("--sequence: ") + error.what());
-        }
-    }
     return accuracy;
 }
 

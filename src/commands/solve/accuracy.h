@@ -53,8 +53,7 @@ private:
 OptionGroup accuracy_option_group();
 
 /// Reads --replicates, --tolerance and --time; with a tolerance or a time also --lines, as Accuracy::most_lines. Does
-/// not read --adaptive (see adaptive_patches()). Throws UsageError, also for replicates of a --sequence that cannot be
-/// randomised.
+/// not read --adaptive (see adaptive_patches()). Throws UsageError.
 Accuracy read_accuracy(const CommandLine& line);
 
 /// Solves once, in replicates (solve_incrementally), or in rounds until RoundLimit stops them. `shard`: the part of the

@@ -3,7 +3,11 @@
 #include "base/elementary.h"
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "cli/files/standard_streams.h"
+#include "cli/provenance.h"
 #include "commands/options/memory_limit.h"
+#include "commands/solve/solution_page.h"
+#include "commands/solve/solve_job.h"
 #include "export/csv_text.h"
 #include "export/lightmap/lightmap.h"
 #include "export/lightmap/lightmap_glb.h"
@@ -22,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -61,11 +66,27 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
 
 } // namespace
 
-/// The parts of files, computed when they are first needed; those that several files share are kept.
-class SolvedScene : public OutputContent
+/// A solved scene and the parts of its files, computed when they are first needed; those that several files share are
+/// kept.
+class SolvedScene
 {
 public:
-    explicit SolvedScene(const OutputContent& content) : OutputContent(content) {}
+    /// `has_view`: some output needs a camera. The references must outlive the object.
+    SolvedScene(const SolveJob& job, const Scene& solved, const Solution& result, const std::string& bytes_of_state,
+                bool has_view)
+        : scene(solved), solution(result), state(bytes_of_state), comments(provenance(job.line, solved)), job_(job)
+    {
+        options = has_view ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
+        if (has_view)
+            shown = options.shown.values(scene, solution, threads());
+    }
+
+    const Scene& scene;
+    const Solution& solution;
+    const std::string& state;                ///< bytes of a state file
+    const std::vector<std::string> comments; ///< provenance, for formats that can hold text
+    PictureOptions options;                  ///< with complete views
+    std::vector<Rgb> shown;                  ///< per patch: what pictures show [W/m^2], or a colour [1]
 
     /// Selects the view with this index in options.views; initially the first.
     void show(std::size_t view)
@@ -78,7 +99,7 @@ public:
     /// All comments in one line.
     std::string one_comment() const { return join(comments, "; "); }
 
-    Camera camera() const { return options.views.empty() ? camera_for(scene, options) : options.views[view_].camera; }
+    Camera camera() const { return camera_for(scene, options, options.views[view_]); }
 
     /// The picture for a screen.
     const ScreenImage& screen()
@@ -156,16 +177,18 @@ public:
         return all;
     }
 
-    /// A camera for each view, or the only one.
+    /// A camera for each view.
     std::vector<GlbCamera> mesh_cameras() const
     {
         std::vector<GlbCamera> all;
-        for (const View& view : options.views.empty() ? std::vector{View{"camera", camera()}} : options.views) {
-            const Camera& c = view.camera;
+        for (const View& view : options.views) {
+            const Camera c = camera_for(scene, options, view);
             all.push_back({view.name, c.eye, c.target, c.up, c.field_of_view});
         }
         return all;
     }
+
+    std::string page() const { return solution_page(scene, job_.options, solution, options, comments); }
 
 private:
     /// The kept value, which is made first if there is none.
@@ -199,6 +222,7 @@ private:
                     [&] { return picture_scale(scene, solution.radiosity, camera(), options.render, options.tone); });
     }
 
+    const SolveJob& job_;
     std::size_t view_ = 0;
     std::optional<ScreenImage> screen_;
     std::optional<LightGrid> grid_;
@@ -233,19 +257,19 @@ constexpr std::array known_formats = {
     OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
                  [](SolvedScene& s) {
                      return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
-                                      texture_files(s.scene), s.options.up);
+                                      texture_files(s.scene), s.camera().up);
                  }},
     OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
     OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
                  [](SolvedScene& s) {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
-                                         s.mesh_cameras(), s.comments, s.options.up);
+                                         s.mesh_cameras(), s.comments, s.camera().up);
                  }},
     OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
                  [](SolvedScene& s) { return s.page(); }},
     OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
-                 [](SolvedScene& s) { return s.state(); }}};
+                 [](SolvedScene& s) { return s.state; }}};
 
 /// The extensions of all formats, or of those that are written by default.
 std::vector<std::string_view> extensions_of_formats(bool by_default_only = false)
@@ -263,9 +287,12 @@ const OutputFormat& format_with(std::string_view extension)
                          [&](const OutputFormat& known) { return known.extension == extension; });
 }
 
-const OutputFormat& format_of(const PlannedOutput& output)
+bool any_output(const std::vector<PlannedOutput>& outputs, FormatKind least, FormatKind most)
 {
-    return format_with(output.extension);
+    return std::any_of(outputs.begin(), outputs.end(), [&](const PlannedOutput& output) {
+        const FormatKind kind = format_with(output.extension).kind;
+        return kind >= least && kind <= most;
+    });
 }
 
 } // namespace
@@ -282,14 +309,7 @@ FormatKind kind_of(const std::string& path)
 
 bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind)
 {
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [&](const PlannedOutput& output) { return format_of(output).kind == kind; });
-}
-
-bool has_view(const std::vector<PlannedOutput>& outputs)
-{
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [](const PlannedOutput& output) { return format_of(output).kind >= FormatKind::mesh; });
+    return any_output(outputs, kind, kind);
 }
 
 OptionGroup solution_output_group()
@@ -309,13 +329,9 @@ OptionGroup solution_output_group()
 
 std::vector<std::string> default_outputs(const std::string& path)
 {
-    std::string name = path.substr(folder_of(path).size());
-    const std::size_t dot = name.find_last_of('.');
-    if (dot != std::string::npos && dot > 0)
-        name.resize(dot);
     std::vector<std::string> outputs;
     for (const std::string_view extension : extensions_of_formats(true))
-        outputs.push_back(name + std::string(extension));
+        outputs.push_back(std::filesystem::path(path).stem().string() + std::string(extension));
     return outputs;
 }
 
@@ -347,6 +363,9 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
     return outputs;
 }
 
+namespace {
+
+/// A warning of one line for each PLY whose coordinates are not those of the scene (see mesh_origin()).
 std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene)
 {
     std::string text;
@@ -359,19 +378,26 @@ std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs,
     return text;
 }
 
-std::string write_outputs(std::vector<PlannedOutput>& outputs, const OutputContent& content)
+} // namespace
+
+void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
+                   const Solution& solution, const std::string& state)
 {
-    SolvedScene solved(content);
+    const bool has_view = any_output(outputs, FormatKind::mesh, FormatKind::page);
+    SolvedScene solved(job, scene, solution, state, has_view);
+    if (!job.quiet && has_view && solved.options.shown.is_room())
+        print_note(black_picture_warning(scene, solved.shown, solved.options));
     std::multimap<FormatKind, PlannedOutput*> quickest_first;
     for (PlannedOutput& output : outputs)
-        quickest_first.emplace(format_of(output).kind, &output);
+        quickest_first.emplace(format_with(output.extension).kind, &output);
     for (const auto& [kind, output] : quickest_first) {
         solved.show(output->view);
-        output->file.write(format_of(*output).bytes(solved));
+        output->file.write(format_with(output->extension).bytes(solved));
         output->file.complete();
     }
     commit(outputs);
-    return solved.grid_note();
+    if (!job.quiet)
+        print_note(solved.grid_note() + moved_coordinates_warning(outputs, scene));
 }
 
 } // namespace multipath

@@ -3,9 +3,9 @@
 #include "cli/files/output_file.h"
 #include "cli/options/command_line.h"
 #include "commands/options/picture_options.h"
-#include "radiosity/run/solve.h"
+#include "radiosity/run/solution.h"
+#include "scene/scene.h"
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,22 +14,8 @@
 
 namespace multipath {
 
-/// A solution and what its files need besides. All references must outlive the object.
-struct OutputContent
-{
-    /// Makes the bytes of a file that cannot be made from the solution alone. Called at most once for each file.
-    using Bytes = std::function<std::string()>;
-
-    const Scene& scene;
-    const Solution& solution;
-    const PictureOptions& options;
-    const std::vector<Rgb>& shown;            ///< per patch: what pictures show [W/m^2], or a colour [1]
-    const std::vector<std::string>& comments; ///< provenance, for formats that can hold text
-    Bytes state;                              ///< bytes of a state file
-    Bytes page;                               ///< bytes of a page
-};
-
 class SolvedScene; // formats.cpp
+struct SolveJob;
 
 /// Kinds of formats in the order in which files are made: the quickest first. If a signal ends the program, the
 /// remaining files can be made from the state.
@@ -55,9 +41,6 @@ FormatKind kind_of(const std::string& path);
 /// True if one of the outputs is of this kind.
 bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind);
 
-/// True if one of the outputs needs a camera: a mesh, a picture or a page.
-bool has_view(const std::vector<PlannedOutput>& outputs);
-
 /// The options --output, --quiet, ... of every command that writes solutions.
 OptionGroup solution_output_group();
 
@@ -71,12 +54,11 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
                                                  const std::vector<std::string>& inputs,
                                                  const PictureOptions& pictures);
 
-/// A warning of one line for each PLY whose coordinates are not those of the scene (see mesh_origin()).
-std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs, const Scene& scene);
-
-/// Writes every output in its format and commits all. Returns one line for the user with the statistics of a grid that
-/// was written; otherwise the text is empty. Throws OutputError. Throws InputError if a format cannot hold the result,
-/// and SettingsError for a grid that has no points or more than a million.
-std::string write_outputs(std::vector<PlannedOutput>& outputs, const OutputContent& content);
+/// Writes the solution into every output in its format and commits all. Prints, unless the job is quiet, the statistics
+/// of a grid that was written and warnings of the outputs. `state`: the bytes of a state; may be empty if there is none
+/// among the outputs. Throws OutputError. Throws InputError if a format cannot hold the result, and SettingsError for a
+/// grid that has no points or more than a million.
+void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
+                   const Solution& solution, const std::string& state);
 
 } // namespace multipath

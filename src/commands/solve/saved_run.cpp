@@ -37,12 +37,6 @@ std::vector<Option> options_with_effect()
     return options;
 }
 
-bool exists(const std::string& path)
-{
-    std::error_code error;
-    return std::filesystem::exists(path, error);
-}
-
 /// Reads "3/16", the third of sixteen shards.
 Shard read_shard(const std::string& text)
 {
@@ -51,11 +45,6 @@ Shard read_shard(const std::string& text)
         throw UsageError("--shard: expected I/N, such as 3/16, got '" + text + "'");
     const std::uint64_t of = read_count("--shard", text.substr(slash + 1), 1, 1000000);
     return {read_count("--shard", text.substr(0, slash), 1, of) - 1, of};
-}
-
-bool is_shard(const RunDescription& description)
-{
-    return description.shard.of > 1;
 }
 
 /// The option as a message quotes it, after a space: " --sequence halton", " no --two-sided".
@@ -99,7 +88,8 @@ StateOptions read_state_options(const CommandLine& line)
     if (options.path.empty() && (line.has("resume") || line.has("save-every")))
         throw UsageError(std::string(line.has("resume") ? "--resume" : "--save-every") +
                          " has no effect without --state; expected --state FILE with it");
-    const bool left = !options.path.empty() && exists(options.path);
+    std::error_code error;
+    const bool left = !options.path.empty() && std::filesystem::exists(options.path, error);
     if (left && !line.has("resume"))
         throw InputError(options.path +
                          " exists; expected --resume with it to continue from there, or the name of a new file");
@@ -142,7 +132,7 @@ void require_same_run(const RunDescription& saved, const std::string& path, cons
     if (saved.shard.number != wanted.shard.number || saved.shard.of != wanted.shard.of)
         refuse("of another shard of the work");
     for (const Option& option : options_with_effect()) {
-        const bool fixed = is_shard(saved) || !option.may_change;
+        const bool fixed = saved.shard.of > 1 || !option.may_change;
         const std::string before = quoted_option(option, of_saved);
         const std::string now = quoted_option(option, of_wanted);
         if (fixed && before != now)

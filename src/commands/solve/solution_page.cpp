@@ -52,21 +52,21 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
 
 } // namespace
 
-std::vector<StageTrace> viewer_chapters(const TracedRun& run)
+std::vector<StageTrace> viewer_chapters(const Scene& scene, const SolveOptions& options)
 {
-    const Method method = run.options.method;
+    const Method method = options.method;
     const bool only_counts = !method->traced_as.empty();
-    SolveOptions options = run.options;
-    options.lines = std::min(options.lines, most_lines_of_run);
+    SolveOptions traced = options;
+    traced.lines = std::min(options.lines, most_lines_of_run);
     if (only_counts) {
-        options.method = method_named(method->traced_as);
-        options.ratio.reset(); // has another meaning for that method
+        traced.method = method_named(method->traced_as);
+        traced.ratio.reset(); // has another meaning for that method
     }
     std::vector<StageTrace> chapters;
-    for (const std::string_view stage : traced_stages(options.method))
+    for (const std::string_view stage : traced_stages(traced.method))
         for (const StageTracer& tracer : stage_tracers)
             if (tracer.stage == stage && stage != later_pass) // chapters show the first pass alone
-                append(chapters, tracer, run.scene, options);
+                append(chapters, tracer, scene, traced);
     if (only_counts)
         for (StageTrace& chapter : chapters)
             chapter.context.push_back("The method " + std::string(method->name) +
@@ -76,22 +76,22 @@ std::vector<StageTrace> viewer_chapters(const TracedRun& run)
     return chapters;
 }
 
-std::string solution_page(const TracedRun& run, const Solution& solution, const PictureOptions& picture_options,
-                          const std::vector<std::string>& comments)
+std::string solution_page(const Scene& scene, const SolveOptions& options, const Solution& solution,
+                          const PictureOptions& picture_options, const std::vector<std::string>& comments)
 {
     ViewerContent content;
     content.record = comments;
-    content.camera = camera_for(run.scene, picture_options);
+    content.camera = camera_for(scene, picture_options, picture_options.views.front());
     content.render = picture_options.render;
     content.tone = picture_options.tone;
-    content.quantities = quantities(run.scene, solution, run.options.threads);
+    content.quantities = quantities(scene, solution, options.threads);
     content.shown = 0; // the radiosity, if the page does not have what pictures show
     for (std::size_t k = 0; k < content.quantities.size(); ++k)
         if (content.quantities[k].key == picture_options.shown.name)
             content.shown = k;
     content.lines = solution.local_lines + solution.global_lines;
-    content.chapters = viewer_chapters(run);
-    return viewer_page(run.scene, content);
+    content.chapters = viewer_chapters(scene, options);
+    return viewer_page(scene, content);
 }
 
 } // namespace multipath

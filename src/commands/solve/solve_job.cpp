@@ -9,16 +9,13 @@
 #include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
 #include "cli/progress.h"
-#include "cli/provenance.h"
 #include "commands/options/memory_limit.h"
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
-#include "commands/solve/solution_page.h"
 #include "commands/solve/solve_summary.h"
 #include "radiosity/run/replicates.h"
-#include "sampling/sequence.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace multipath {
 
@@ -42,12 +39,9 @@ bool has_bright_surfaces(const Scene& scene, const Solution& solution)
 void require_light(const Scene& scene, const Solution& solution)
 {
     const PowerBalance& balance = solution.balance;
-    if (!(mean(balance.absorbed + balance.escaped + balance.behind) > 0.0))
-        throw SettingsError(
-            scene.path() + ": none of " + grouped(solution.all_lines) + " lines left a source; " +
-            (solution.all_lines < scene.patch_count() ? "expected more with --lines" : "see 'multipath check'"));
     const double rounding = 1e-9 * mean(balance.emitted); // line reuse gets some powers as differences
-    if (mean(balance.absorbed) > rounding || has_bright_surfaces(scene, solution))
+    const bool has_left_source = mean(balance.absorbed + balance.escaped + balance.behind) > 0.0;
+    if (has_left_source && (mean(balance.absorbed) > rounding || has_bright_surfaces(scene, solution)))
         return;
     if (solution.all_lines < scene.patch_count())
         throw SettingsError(scene.path() + ": " + grouped(solution.all_lines) +
@@ -96,8 +90,7 @@ SolveJob read_solve_job(const CommandLine& line)
     SolveJob job{line, read_solve_options(line, "lines"), read_accuracy(line), {}, "", line.has("quiet")};
     job.pictures = read_picture_options(line, job.options.threads);
     require_error_to_show(job.pictures, job.accuracy);
-    const std::string name = checked_sequence_name(job.options);
-    job.sequence = job.accuracy.replicates > 1 ? randomised_name(name) : name;
+    job.sequence = checked_sequence_name(job.options, "--sequence", job.accuracy.replicates > 1);
     return job;
 }
 
@@ -108,23 +101,16 @@ void require_results_possible(const SolveJob& job, const Scene& scene, const std
         require_memory_for_page(job.line, scene);
 }
 
-void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
-                   std::vector<PlannedOutput>& outputs, const std::string& state)
+SavedJob open_saved_job(const CommandLine& line, const RunDescription& saved, const std::string& name)
 {
-    const std::vector<std::string> comments = provenance(job.line, scene);
-    const PictureOptions pictures =
-        has_view(outputs) ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
-    const auto page = [&] {
-        return solution_page({scene, job.options, job.line.text("method"), job.sequence}, solution, pictures, comments);
-    };
-    const std::vector<Rgb> shown =
-        has_view(outputs) ? pictures.shown.values(scene, solution, job.options.threads) : std::vector<Rgb>{};
-    if (!job.quiet && has_view(outputs) && pictures.shown.is_room())
-        print_note(black_picture_warning(scene, shown, pictures));
-    const std::string grid_note =
-        write_outputs(outputs, {scene, solution, pictures, shown, comments, [&] { return state; }, page});
-    if (!job.quiet)
-        print_note(grid_note + moved_coordinates_warning(outputs, scene));
+    SolveJob job = read_solve_job(command_line_of(saved, line.words(all_options(line.table().groups))));
+    const std::vector<std::string> inputs =
+        concatenated({input_files(*saved.scene.file), line.operands(), line.all("camera")});
+    std::vector<PlannedOutput> outputs = open_solution_outputs(
+        job.line, line.has("output") ? line.all("output") : default_outputs(name), inputs, job.pictures);
+    Scene scene = restored(saved.scene);
+    require_results_possible(job, scene, outputs);
+    return {std::move(job), std::move(scene), std::move(outputs)};
 }
 
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
@@ -146,7 +132,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     }
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && shard.of > 1) {
-        write_results(job, scene, solution, outputs, keeper.last_bytes());
+        write_outputs(outputs, job, scene, solution, keeper.last_bytes());
         return report_shard(job, keeper);
     }
     if (shard.of > 1 && job.options.method->shards == Shards::added)
@@ -156,7 +142,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     else
         require_light(scene, solution);
     const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
-    write_results(job, scene, solution, outputs, keeper.last_bytes());
+    write_outputs(outputs, job, scene, solution, keeper.last_bytes());
     const double seconds_outputs = seconds_since(outputs_start);
 
     const SolveSummary summary{scene,

@@ -34,15 +34,22 @@ SolveJob read_solve_job(const CommandLine& line);
 /// page that does not fit into the memory.
 void require_results_possible(const SolveJob& job, const Scene& scene, const std::vector<PlannedOutput>& outputs);
 
+/// A job on the saved state of a run: the scene of the state, and the outputs that were asked for, open.
+struct SavedJob
+{
+    SolveJob job;
+    Scene scene;
+    std::vector<PlannedOutput> outputs;
+};
+
+/// The job of a command that makes outputs from states, with the options of the saved run and those of the command.
+/// `name`: the outputs that are written by default are named after this file. Throws as the functions above do.
+SavedJob open_saved_job(const CommandLine& line, const RunDescription& saved, const std::string& name);
+
 /// Solves, or resumes the run of the keeper; writes the outputs and prints the summary. Returns the exit code. A run
 /// that the user interrupts writes its partial results. Throws InputError if no light reaches any surface in a complete
 /// run, and for a shard of `reuse` if no work is left for it.
 int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput>& outputs, StateKeeper& keeper,
               Shard shard);
-
-/// Writes the outputs of a solution. `state`: the bytes of the state files among the outputs; may be empty if there are
-/// no such files.
-void write_results(const SolveJob& job, const Scene& scene, const Solution& solution,
-                   std::vector<PlannedOutput>& outputs, const std::string& state);
 
 } // namespace multipath

@@ -2,6 +2,8 @@
 #include "base/file_bytes.h"
 #include "commands/commands.h"
 #include "commands/solve/formats.h"
+#include "commands/solve/solve_job.h"
+#include "radiosity/run/solve.h"
 
 #include "cli/options/choices.h"
 #include "scene/scratch_folder.h"
@@ -28,31 +30,18 @@ Scene room_with_lamp()
 
 struct SolvedRoom
 {
-    SolvedRoom()
-    {
-        pictures.render.width = 32;
-        pictures.render.height = 24;
-        pictures.up = {0, 1, 0};
-        SolveOptions options;
-        options.lines = 4096;
-        solution = solve(scene, options, [](double) {});
-    }
-
+    SolveJob job = read_solve_job(CommandLine(
+        solve_command().table, {"room.obj", "--lines", "4096", "--size", "32x24", "--threads", "1", "--quiet"}));
     Scene scene = room_with_lamp();
-    Solution solution;
-    PictureOptions pictures;
-    std::vector<std::string> comments = {"the origin"};
+    Solution solution = solve(scene, job.options, [](double) {});
 
     /// The bytes of a file with this extension.
     std::string bytes(std::string_view extension) const
     {
         const ScratchFolder folder;
         const std::string path = folder.path("room" + std::string(extension));
-        std::vector<PlannedOutput> outputs =
-            open_solution_outputs(CommandLine(solve_command().table, {"room.obj"}), {path}, {}, pictures);
-        const std::vector<Rgb> shown = pictures.shown.values(scene, solution, 1);
-        write_outputs(outputs, {scene, solution, pictures, shown, comments, [] { return "the state"; },
-                                [] { return "the page"; }});
+        std::vector<PlannedOutput> outputs = open_solution_outputs(job.line, {path}, {}, job.pictures);
+        write_outputs(outputs, job, scene, solution, "the state");
         return bytes_of_file(path);
     }
 };
@@ -104,7 +93,7 @@ TEST_CASE("every quantity that pictures show has a value for each patch and a pi
     for (const ShownQuantity& shown : shown_quantities()) {
         SolvedRoom room;
         room.solution.standard_error = room.solution.radiosity;
-        room.pictures.shown = shown;
+        room.job.pictures.shown = shown;
         CAPTURE(std::string(shown.name));
         CHECK(names.insert(shown.name).second);
         CHECK(shown.values(room.scene, room.solution, 1).size() == room.scene.patch_count());

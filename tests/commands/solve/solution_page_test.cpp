@@ -26,7 +26,7 @@ std::vector<StageTrace> trace(const Scene& scene, Method method, std::uint64_t l
     SolveOptions options;
     options.method = method;
     options.lines = lines;
-    return viewer_chapters({scene, options, "method", "sequence"});
+    return viewer_chapters(scene, options);
 }
 
 /// True if the point lies on the patch, a rectangle.
