@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace multipath {
@@ -218,9 +217,8 @@ Command check_command()
                  "Number of lines for each measured figure; fewer are cast if they meet very many surfaces."},
                 threads_option()}},
               scene_option_group()},
-             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area.\n"
-             "Smaller ones are notes, and so are findings that do not make the result wrong. The most severe\n"
-             "findings come first.\n"
+             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area, and a\n"
+             "note otherwise, or if it does not make the result wrong. The most severe come first.\n"
              "\n"
              "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"},
             run_check};

@@ -16,25 +16,16 @@
 #include "radiosity/run/statistics.h"
 #include "refinement/shown_error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace multipath {
 
 namespace {
-
-/// A deviation in one channel of one patch.
-struct Deviation
-{
-    std::size_t patch = 0;
-    double value = 0.0; ///< A - B [W/m^2]
-};
 
 /// Error of A, the estimate, against B, the reference. Both tables have the same patches.
 struct Comparison
@@ -47,7 +38,6 @@ struct Comparison
     double mean_b = 0.0;
     std::optional<double> expected_a{}; ///< [1] expected relative MSE (1) by the table's own standard errors
     std::optional<double> expected_b{};
-    Deviation largest{};
 
     /// [1] Root of the relative MSE.
     double root() const { return std::sqrt(error.relative_mean_square); }
@@ -81,18 +71,6 @@ std::optional<double> expected_error(const PatchTable& table)
     return expected_relative_square(table.areas, table.radiosity, table.standard_error);
 }
 
-Deviation largest_deviation(const PatchTable& a, const PatchTable& b)
-{
-    Deviation largest;
-    for (std::size_t i = 0; i < a.areas.size(); ++i) {
-        const Rgb difference = a.radiosity[i] - b.radiosity[i];
-        for (const double value : {difference.r, difference.g, difference.b})
-            if (std::abs(value) > std::abs(largest.value))
-                largest = {i, value};
-    }
-    return largest;
-}
-
 /// Compares tables of the same patches, which must outlive the result. Throws InputError for numbers too large to
 /// square, and for a reference without light.
 Comparison compare(const PatchTable& a, const PatchTable& b)
@@ -110,7 +88,6 @@ Comparison compare(const PatchTable& a, const PatchTable& b)
         throw InputError(a.path + ": numbers too large to compare with " + b.path + ", expected W/m^2 and m^2");
     if (!(c.mean_b * c.mean_b > 0.0))
         throw InputError(b.path + ": mean radiosity is 0, expected a reference with light");
-    c.largest = largest_deviation(a, b);
     return c;
 }
 
@@ -168,8 +145,6 @@ std::string report_text(const Comparison& c)
     text += format("patches    %s, %.6g m^2\n", grouped(c.a.areas.size()).c_str(), c.area);
     text += format("MSE        %.4g W^2/m^4; relative %.4g, its root %.4g %%\n", c.error.mean_square,
                    c.error.relative_mean_square, 100.0 * c.root());
-    text += format("largest    deviation %+.4g W/m^2 in one channel of patch %zu, %.3g %% of the mean radiosity\n",
-                   c.largest.value, c.largest.patch, 100.0 * std::abs(c.largest.value / c.mean_b));
     return text + means_text(c.mean_a, c.mean_b) + errors_text(c);
 }
 
@@ -179,8 +154,6 @@ JsonObject report_json(const Comparison& c)
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.root(), c.mean_a, c.mean_b);
     json.number("mean_square_error", c.error.mean_square);
-    json.number("largest_deviation", c.largest.value);
-    json.count("largest_deviation_patch", c.largest.patch);
     json.number("expected_relative_mean_square_error", c.expected_a.value_or(unknown));
     json.number("reference_expected_relative_mean_square_error", c.expected_b.value_or(unknown));
     json.number("measured_over_expected", c.measured_over_expected().value_or(unknown));
@@ -280,18 +253,13 @@ Command compare_command()
                  "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
                 {"json", 0, "", "", "Print the report as JSON on standard output."},
                 threads_option()}}},
-             "A is measured against B, the reference. Both are tables that 'multipath solve -o FILE.csv'\n"
-             "wrote, or states of finished runs, with the same patches. If they have standard errors\n"
-             "(solve --replicates), the report shows whether these explain the difference. A table of\n"
-             "another program, as A, needs only the columns patch, counted from 0 in the order of B, and\n"
-             "radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
-             "States of the same surfaces with other patches, many more in B than in A, are compared by what\n"
-             "A shows: at points, with smooth shading, against light gathered from B. Without B the light is\n"
-             "gathered from A itself. This estimates the whole error of A, of patches and noise together,\n"
-             "except for errors common to everything that a point sees, such as the noise of few lines in\n"
-             "bright rooms.\n\n"
-             "Exit code 0, whatever the difference, unless it exceeds --tolerance; 1 if the results cannot be\n"
-             "compared.\n"},
+             "A is measured against B, the reference: tables (solve -o FILE.csv) or states of finished runs\n"
+             "with the same patches. Standard errors, if there are any, are said to explain the difference\n"
+             "or not. A table of another program, as A, needs the columns patch, counted from 0 in the order\n"
+             "of B, and radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
+             "States of the same surfaces with other patches, many more in B, are compared by what smooth\n"
+             "shading shows of A: at points, against light gathered from B, or from A itself without B. This\n"
+             "is the error of patches and noise together, but for errors common to all that a point sees.\n"},
             run_compare};
 }
 

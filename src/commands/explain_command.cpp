@@ -12,8 +12,6 @@
 #include "explain/line_drawing.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace multipath {
 
@@ -82,24 +80,19 @@ Command explain_command()
          {{"Lines",
            {{"lines", 'n', "K", "3",
              "Number of lines to explain, at most 1000; of particles or walks in the stages local and gathering."},
-            {"first", 0, "N", "1",
-             "First line to explain, counted from 1 in its stage. The lines before it are traced too."},
+            {"first", 0, "N", "1", "First line to explain, counted from 1 in its stage."},
             {"stage", 0, "STAGE", "",
-             "Stage of the lines: first-shot, rays from the sources; extended:PASS, rays of a pass of the extended "
-             "first shot, counted from 1; global, lines through the scene; bundle, parallel lines of one direction; "
-             "local, particles; gathering, walks of the first round; iteration, rays of the first one of jacobi. By "
-             "default the last stage of the method."},
+             "Stage of the lines, by default the last of the method: first-shot, rays from the sources; "
+             "extended:PASS, rays of a pass counted from 1; global; bundle, lines of one direction; local, particles; "
+             "gathering, walks of the first round; iteration, rays of the first one of jacobi."},
             {"output", 'o', "FILE", "",
-             "Also draw the lines in the scene, from above and from the side, as .svg. '-' writes the drawing to "
-             "standard output instead of the text.",
+             "Also draw the lines in the scene as .svg; '-' writes the drawing to standard output, without the text.",
              true},
             {"up", 0, "X,Y,Z", "0,1,0", "Upward direction of the drawing."}}},
           method_option_group({"of", 0, "N", "2^20", "Total number of lines of the run whose lines are explained."},
                               false),
           scene_option_group()},
-         "  multipath explain scenes/5cubes.obj --lines 3 -o lines.svg\n"
-         "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2\n"
-         "  multipath explain scenes/5cubes.obj --method local --of 10000\n"},
+         "  multipath explain scenes/4chairs-up.obj --method extended --stage extended:2 -o lines.svg\n"},
         run_explain};
 }
 

@@ -7,8 +7,6 @@
 #include "commands/solve/formats.h"
 #include "sampling/sequence.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,23 +21,16 @@ constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib n
   Ka r g b   ambient light, ignored; the emittance with --emission-from Ka
   map_Kd F   texture (PNG, JPEG, TGA, BMP or PPM), times Kd; -s, -o, -clamp
   map_Ke F   the same, times Ke; its surfaces emit the mean over all of them
-Everything else (Ks, Ns, d, illum, ...) is ignored, and reported once. A
-material that faces use but no file defines becomes grey with reflectance 0.5,
-with a warning. A scene that emits nothing is refused.
+Everything else is ignored, and reported once. A material that no file defines
+is grey with reflectance 0.5, with a warning. A scene that emits nothing is
+refused.
 
 The front of a face is the side from which its corners run counter-clockwise.
 Only fronts reflect, emit and receive light, unless --two-sided gives every
-surface a back, which does not emit. So the faces of solids must look outward
-and those of a room inward; light that meets the back of a surface is lost, and
-the loss is reported. A closed shell that light meets only from behind is turned
-over, with a message; so are all faces that do not emit if no front is lit.
---flip turns all faces over instead, for a scene modelled to be seen from
-outside.
-
-A quad that is a parallelogram is one surface, and so are two triangles that
-form one. Other polygons are cut into triangles. Faces without area are dropped,
-and their number is reported. Where two faces that look the same way overlap in
-one plane, the smaller one hides the larger one.
+surface a back, which does not emit. Light that meets a back from behind is
+lost, and the loss is reported. A closed shell that light meets only from behind
+is turned over, with a message; so are all faces that do not emit if no front is
+lit. --flip turns all faces over instead.
 
 Surfaces are cut into patches of constant radiosity. --patch-size sets the
 longest edge of a patch in metres, --patches the largest number of patches.
@@ -47,18 +38,12 @@ Without either, 'solve' cuts them where the light changes, into 5,000 patches
 and five more for every four surfaces; other commands make a few thousand
 patches of equal size.
 
-'multipath check SCENE.obj' reports what was read and what looks suspicious. A
-finding is WRONG if it concerns at least 0.5 % of the power, or of the area.
-
-A bare name that is not a file here, such as 5cubes, is a bundled scene: one in
-share/multipath/scenes beside the folder of the installed program, or in the
-folder 'scenes' beside a program that was built from sources.
+A bare name that is not a file here, such as 5cubes, is a bundled scene.
 )";
 
-constexpr const char* numbers_text = R"(Counts are written 1000000, 1e6, 1M or 2^20 (k, M, G are powers of 1000), exact
-up to 2^63. The decimal separator is a point in every locale: 0.5, .5, 5e-1.
+constexpr const char* numbers_text = R"(The decimal separator is a point in every locale: 0.5, .5, 5e-1.
 
-  count           --lines 2^22        a whole number
+  count           --lines 2^22        4194304, 4e6 or 4M; k, M, G: times 1000
   share           --tolerance 1%      or 0.01; a bare 1 is refused, since it
                                       could mean 1 % or 100 %
   time            --time 90s          250ms, 90s, 5m, 2h; without unit: seconds
@@ -67,8 +52,6 @@ up to 2^63. The decimal separator is a point in every locale: 0.5, .5, 5e-1.
   picture         --size 800x600      width and height in pixels
   shard           --shard 3/16        the third of sixteen shards
 
-Anything else is refused: nan, inf, decimal commas, trailing text, negative
-numbers where they make no sense.
 )";
 
 constexpr const char* states_text = R"(A state is one file that holds a whole run: the scene, the options, the progress
@@ -76,23 +59,16 @@ and the results so far. Ctrl-C leaves it complete. A later run resumes from it,
 and writes the same bytes as a run that was never interrupted.
 
 Resume after an interruption, or with more lines:
-  multipath solve room.obj --lines 2^28 --state room.state
-  multipath solve room.obj --lines 2^28 --state room.state --resume
   multipath solve room.obj --lines 2^30 --state room.state --resume
-
 Make other pictures, meshes and tables of a finished run, without the OBJ file:
   multipath render room.state --eye 1,1,5 --target 2,1,0 -o door.png
-  multipath compare room.state other.csv
-
 Split a run among computers, which need no connection to each other:
   multipath solve room.obj --shard 1/2 --state 1.state
   multipath solve room.obj --shard 2/2 --state 2.state
   multipath merge 1.state 2.state -o room.png -o room.csv
 
 An existing state is replaced only with --resume, and only by a later state of
-the same run. --save-every sets how often it is saved; --from-state reads a
-state without changing it. With --method reuse, the merged shards give the same
-bytes as a single run; the shards of other methods are averaged.
+the same run; --from-state reads one without changing it.
 )";
 
 constexpr const char* exit_codes_text = R"(  0    success: everything that was asked for has been written
@@ -102,10 +78,8 @@ constexpr const char* exit_codes_text = R"(  0    success: everything that was a
   130  interrupted (Ctrl-C): solve and merge write their results so far, if two
        seconds suffice; other commands write nothing
 
-An error is one line on standard error, which says what was expected. Results go
-to files and standard output, everything else to standard error. An output file
-is complete or absent: of several, none gets its name before all are on the
-disk.
+An error is one line on standard error, which says what was expected. Of several
+outputs, none gets its name before all are on the disk.
 )";
 
 std::string methods_text()
@@ -151,9 +125,8 @@ std::string outputs_text()
            "\nsolve, render and merge write these formats. selftest writes .csv files, study\n"
            "and points .csv and .svg files, explain .svg files:\n\n" +
            row(".svg", "plot or drawing") +
-           "\n'-' is standard output. A file gets its name when it is complete; until then an\n"
-           "old file of this name is unchanged. Formats that can hold text record the\n"
-           "command that made them: run it again and compare the files with 'cmp'.\n";
+           "\n'-' is standard output. Formats that can hold text record the command that made\n"
+           "them: run it again and compare the files with 'cmp'.\n";
 }
 
 int run_help(const CommandLine& line)
@@ -189,8 +162,7 @@ Command help_command()
              "explain a command or a topic, or print the manual",
              {"[TOPIC]", 0, 1},
              {{"For installation", {{"man", 0, "", "", "Print the manual page, for 'man'."}}}},
-             "  multipath help scenes\n"
-             "  multipath help solve\n"},
+             "  multipath help scenes\n"},
             run_help};
 }
 

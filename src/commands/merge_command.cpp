@@ -8,7 +8,6 @@
 #include "radiosity/run/solution.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace multipath {
@@ -125,11 +124,9 @@ Command merge_command()
              "add up the shards of one run (solve --shard)",
              {"STATE...", 1, any_number},
              {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
-             "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts\n"
-             "lines. For the second round, which refines some pairs of patches, write the sum as a state and\n"
-             "continue from it in shards again (solve --from-state), or let 'merge' do it: it does all work\n"
-             "that is left before it writes any output but a state. Shards of the other methods are\n"
-             "independent runs; they are averaged by their lines.\n"
+             "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts lines;\n"
+             "for a second round in shards, write the sum as a state and start from it (--from-state), or\n"
+             "let 'merge' do all that is left. Shards of other methods are averaged by their lines.\n"
              "\n"
              "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
              "  multipath merge 1.state 2.state -o room.png -o room.csv\n"},

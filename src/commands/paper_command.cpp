@@ -15,7 +15,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <string>
@@ -144,15 +143,13 @@ Command paper_command()
              {},
              {{"Output",
                {{"output", 'o', "FOLDER", "paper",
-                 "Folder for the report: index.html with everything in it, results.md, and the figures and tables as "
-                 "files. "
-                 "Finished runs are kept in its folder 'cache', so that the command resumes where it was interrupted."},
+                 "Folder for the report, index.html and results.md, its figures and tables as files, and the finished "
+                 "runs, from which the command resumes."},
                 {"quiet", 'q', "", "", "Print only errors."}}},
               {"Work",
                {{"quick", 0, "", "", "Fewer lines and executions: one minute instead of five on two processors."},
                 {"scenes", 0, "FOLDER", "scenes",
-                 "Folder with 5cubes.obj and the other scenes of the paper. If the default does not exist, the bundled "
-                 "scenes are used."},
+                 "Folder with the scenes of the paper; if the default does not exist, the bundled ones."},
                 threads_option()}}},
              "  multipath paper --quick -o paper && xdg-open paper/index.html\n"},
             run_paper};

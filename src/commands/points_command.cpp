@@ -2,7 +2,6 @@
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"
@@ -231,33 +230,26 @@ Command points_command()
          {},
          {{"Output",
            {{"output", 'o', "FILE", "",
-             "Output file, .csv (one row per point, or per number of points with --discrepancy) or .svg (scatter "
-             "plots). '-' is standard output. By default it gets a CSV, an SVG with --figure, a text with "
-             "--discrepancy.",
+             "Output file, .csv or, for a drawing, .svg; '-' is standard output, which by default gets the points, the "
+             "--figure, or a text with --discrepancy.",
              true}}},
           {"Sequence",
            {{"sequence", 's', "NAME", "sobol",
-             "Sequence, such as random, sobol, sobol-owen, halton or halton:2,3; 'multipath help sequences' lists "
-             "them all."},
+             "Sequence, such as random, sobol or halton:2,3; 'help sequences' lists them."},
             {"dims", 'd', "D", "2", "Number of dimensions."},
             {"count", 'n', "N", "1000", "Number of points."},
             {"skip", 0, "K", "0", "Leave out the first K points of the sequence."},
             {"seed", 0, "N", "1", "Seed of random and randomised sequences."}}},
           {"Drawing",
            {{"order", 0, "", "",
-             "Draw arrows from each of the first points to the next, and every point's coordinates against those of "
-             "the next."}}},
+             "Draw arrows from each of the first points to the next, and every coordinate against the next one's."}}},
           {"Instead of points",
            {{"discrepancy", 0, "", "",
-             "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect. The star discrepancy "
-             "is computed in one and two dimensions."},
+             "Measure how far the first 1, 2, 4, ... points are from uniform; 0 would be perfect."},
             {"figure", 0, "WHICH", "",
              "Draw a figure of the paper: 1, random and quasi-random points; 2, why a line should take one 4-D item.",
              false, names_of(paper_figures)}}}},
-         "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"
-         "  multipath points --sequence halton:2,3 --order -o order.svg\n"
-         "  multipath points --sequence sobol --count 2^12 --discrepancy\n"
-         "  multipath points --figure 2 -o figure2.svg\n"},
+         "  multipath points --sequence sobol --dims 4 --count 1000 -o points.csv -o points.svg\n"},
         run_points};
 }
 

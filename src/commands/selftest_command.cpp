@@ -32,17 +32,11 @@ void require_effect(const CommandLine& line)
 /// The known scenes that --case names, or all of them.
 std::vector<KnownScene> chosen_scenes(const CommandLine& line)
 {
-    const std::vector<std::string> wanted = line.all("case");
-    std::vector<KnownScene> scenes = known_scenes();
-    for (const std::string& name : wanted)
-        require_choice("--case", name, names_of(scenes));
-    if (!wanted.empty())
-        scenes.erase(std::remove_if(scenes.begin(), scenes.end(),
-                                    [&](const KnownScene& scene) {
-                                        return std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end();
-                                    }),
-                     scenes.end());
-    return scenes;
+    const std::vector<KnownScene> all = known_scenes();
+    std::vector<KnownScene> chosen;
+    for (const std::string& name : line.all("case"))
+        chosen.push_back(row_named(all, "--case", name));
+    return line.has("case") ? chosen : all;
 }
 
 int run_selftest(const CommandLine& line)

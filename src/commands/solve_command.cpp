@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -232,12 +231,7 @@ Command solve_command()
              {"SCENE.obj", 1, 1},
              {solution_output_group(), solve_method_group(), accuracy_option_group(), state_option_group(),
               scene_option_group(), picture_option_group()},
-             "Numbers may be written 1000000, 1e6, 1M or 2^20.\n"
-             "\n"
-             "  multipath solve room.obj\n"
-             "  multipath solve room.obj --lines 2^22 --sequence halton:2,7,3,5 -o room.png -o room.csv\n"
-             "  multipath solve room.obj -o room.glb -o room.ply\n"
-             "  multipath solve room.obj -o room.html\n"},
+             "  multipath solve room.obj --lines 2^22 -o room.png -o room.csv -o room.html\n"},
             run_solve};
 }
 

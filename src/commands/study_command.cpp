@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -392,41 +391,37 @@ Command study_command()
 {
     const OptionGroup settings = without_options(
         method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
-    return {{"study",
-             "measure the error against the number of lines, for methods and sequences, and fit slopes",
-             {"SCENE.obj", 1, 1},
-             {{"Output",
-               {{"output", 'o', "FILE", "",
-                 "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
-                {"against", 0, "WHAT", "lines", "Horizontal axis of the plot.", false, names_of(against_choices)},
-                {"with", 0, "FILE.csv", "",
-                 "Add the curve of another program, which is named after the file: a table with the columns lines and "
-                 "relative_mse, and optionally standard_error and seconds.",
-                 true},
-                {"cache", 0, "FOLDER", "",
-                 "Folder for finished runs and the reference, so that the same study resumes where it was interrupted; "
-                 "a program from other sources begins anew. By default the name of the first output with the extension "
-                 ".cache; without an output, nothing is kept."},
-                {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."}}},
-              study_curve_options(),
-              {"Points",
-               {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
-                {"to", 0, "N", "2^20", "Largest number of lines of a point."},
-                {"replicates", 0, "R", "4",
-                 "Number of runs of which each point is the mean. They have different seeds, or take different parts "
-                 "of a sequence that has no seed."},
-                {"reference", 0, "FILE", "",
-                 "Measure the error against this result, a table of patches or a state as solve writes them. By "
-                 "default a reference is computed with 16 times the lines of the last point, and its own error "
-                 "estimated. Against a state with other, much smaller patches the error is the total error of what "
-                 "smooth shading shows, as 'multipath compare' measures it."}}},
-              {"Every run", settings.options},
-              scene_option_group()},
-             "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
-             "\n"
-             "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"
-             "  multipath study scenes/5cubes.obj --methods first-shot --sequences sobol,halton:2,7,3,5\n"},
-            run_study_command};
+    return {
+        {"study",
+         "measure the error against the number of lines, for methods and sequences, and fit slopes",
+         {"SCENE.obj", 1, 1},
+         {{"Output",
+           {{"output", 'o', "FILE", "",
+             "Output file besides the table on standard output, .csv (one row per point) or .svg (a plot).", true},
+            {"against", 0, "WHAT", "lines", "Horizontal axis of the plot.", false, names_of(against_choices)},
+            {"with", 0, "FILE.csv", "",
+             "Add the curve of another program, named after the file: columns lines and relative_mse, and perhaps "
+             "standard_error and seconds.",
+             true},
+            {"cache", 0, "FOLDER", "",
+             "Folder for finished runs and the reference, from which the same study resumes. By default that of the "
+             "first output with the extension .cache; without an output, nothing is kept."},
+            {"quiet", 'q', "", "", "Print only errors on stderr, and no table if there is an output."}}},
+          study_curve_options(),
+          {"Points",
+           {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
+            {"to", 0, "N", "2^20", "Largest number of lines of a point."},
+            {"replicates", 0, "R", "4",
+             "Runs of which each point is the mean, with different seeds or parts of the sequence."},
+            {"reference", 0, "FILE", "",
+             "Measure the error against this result of solve, a table of patches or a state; against one with much "
+             "smaller patches as 'compare' does. By default a reference with 16 times the lines is computed."}}},
+          {"Every run", settings.options},
+          scene_option_group()},
+         "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
+         "\n"
+         "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"},
+        run_study_command};
 }
 
 } // namespace multipath

@@ -21,9 +21,8 @@ with_error 10 b.csv >b-ten.csv
 with_error 0 b.csv >b-none.csv
 
 by_hand() {
-    ends 0 compare a.csv b.csv && silent err && lines_are out 6 && says out "2, 4 m^2" &&
+    ends 0 compare a.csv b.csv && silent err && lines_are out 5 && says out "2, 4 m^2" &&
         says out "1.75 W^2/m^4; relative 0.07, its root 26.46 %" &&
-        says out "+2 W/m^2 in one channel of patch 0, 40 % of the mean" &&
         says out "4.75 in A, 5 in B W/m^2: a difference of -5 %"
 }
 check "the report has the numbers that a hand computes" by_hand
@@ -51,9 +50,9 @@ check "a table of another program needs patches and radiosities alone" foreign
 
 channels() {
     sed 's/3,3,3,3$/3,4,1,4/;s/10,10,10/8,8,8/' a.csv >green.csv
-    ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4" && says out "-3 W/m^2 in one channel of patch 1, 60 %"
+    ends 0 compare green.csv b.csv && says out " 2.25 W^2/m^4"
 }
-check "in colour the MSE is the mean over the channels, the largest deviation that of one" channels
+check "in colour the MSE is the mean over the channels" channels
 
 # usage: explained EXPECTED_A EXPECTED_B VERDICT FILES...
 explained() {
@@ -73,14 +72,14 @@ check "errors of 0 explain nothing" zero_errors
 
 identical() {
     ends 0 compare one.csv one.csv --tolerance 0 && silent err && says out "90, 70.3446 m^2" && says out "MSE        0 W" &&
-        says out "+0 W/m^2" && ! grep -q "errors" out
+        ! grep -q "errors" out
 }
 check "a table is no distance from itself" identical
 
 # Patch 5 is 1 m^2 of 70.3446398: MSE 0.5^2 / 3 / 70.3446398 = 1.18464e-3.
 one_changed() {
     awk -F, -v OFS=, '$1 == 5 { $17 = sprintf("%.17g", $17 + 0.5) } 1' one.csv >changed.csv
-    ends 0 compare changed.csv one.csv && says out "MSE        0.001185 W" && says out "+0.5 W/m^2 in one channel of patch 5" &&
+    ends 0 compare changed.csv one.csv && says out "MSE        0.001185 W" &&
         ends 0 compare changed.csv one.csv --json && says out '"mean_square_error": 0.0011846'
 }
 check "one changed patch of a real table gives the MSE of its area" one_changed
@@ -102,7 +101,7 @@ check "the errors of independent replicates explain how they differ" independent
 json() {
     ends 0 compare a.csv b-one.csv --json && silent err && for line in '"result": "a.csv"' '"reference": "b-one.csv"' \
         '"patches": 2' '"area_m2": 4' '"mean_square_error": 1.75' '"relative_mean_square_error": 0.07' \
-        '"relative_root_mean_square_error": 0.264575' '"largest_deviation": 2' '"largest_deviation_patch": 0' \
+        '"relative_root_mean_square_error": 0.264575' \
         '"mean_radiosity": 4.75' '"reference_mean_radiosity": 5' '"mean_radiosity_difference": -0.05' \
         '"expected_relative_mean_square_error": null' '"reference_expected_relative_mean_square_error": 0.04' \
         '"measured_over_expected": 1.75'; do

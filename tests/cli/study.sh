@@ -149,7 +149,7 @@ refusals() {
     ends 2 study "$scene" -o study.png && says err ".csv, .svg" || return
     ends 2 study "$scene" --line-orders backwards && says err "shuffled" || return
     ends 1 study missing.obj --from 10 --to 20 && says err "missing.obj" || return
-    : >file && ends 1 study "$scene" --cache file --from 10 --to 20 && says err "not a folder" || return
+    : >file && ends 1 study "$scene" --cache file --from 10 --to 20 && says err "cannot make the folder" || return
     ends 1 study "$scene" --cache nowhere/cache --from 10 --to 20 && says err "cannot make the folder" || return
     ends 2 study "$scene" --reference ref.csv -o ref.csv && says err "is an input" || return
     ends 2 study "$scene" --methods global --sequences hammersley:1000 --from 2^12 --to 2^13 && says err "ends after 1000 items"

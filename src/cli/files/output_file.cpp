@@ -3,7 +3,6 @@
 #include "base/errors.h"
 #include "base/platform/files.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
@@ -11,7 +10,6 @@
 #include <atomic>
 #include <cassert>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -152,9 +150,7 @@ void make_folder(const std::string& path)
     std::error_code unknown;
     if (fs::is_directory(path, unknown))
         return;
-    const bool failed = error && error != std::errc::file_exists && error != std::errc::not_a_directory;
-    throw OutputError(failed ? "cannot make the folder " + path + ": " + error.message()
-                             : "cannot write into " + path + ": it is not a folder");
+    throw OutputError("cannot make the folder " + path + ": " + (error ? error.message() : "it is not a folder"));
 }
 
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_output : path)

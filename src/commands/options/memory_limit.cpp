@@ -47,10 +47,10 @@ void require(const CommandLine& line, double bytes, const std::string& what, con
 
 Option memory_option()
 {
-    return {"memory", 0, "SIZE", "",
-            "Memory limit, such as 8GB: a run that needs more is refused before it starts. By default the memory of "
-            "the machine. The method reuse also keeps its table of patch pairs within the limit, by default within "
-            "2GB."};
+    return {
+        "memory", 0, "SIZE", "",
+        "Memory limit, such as 8GB: a run that needs more is refused. By default the memory of the machine, and 2GB "
+        "for the table of patch pairs of reuse."};
 }
 
 void require_memory_for_file(const CommandLine& line, const std::string& path)

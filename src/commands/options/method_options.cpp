@@ -1,7 +1,6 @@
 #include "commands/options/method_options.h"
 
 #include "base/errors.h"
-#include "cli/options/choices.h"
 #include "cli/options/number_text.h"
 #include "commands/options/scene_options.h"
 #include "sampling/sequence.h"
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -42,33 +40,28 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         {method_option(with_reuse),
          line_count,
          {"ratio", 0, "R", "auto",
-          "Number of local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse.",
-          false, any_text, "power-per-line"},
+          "Local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse.", false,
+          any_text, "power-per-line"},
          {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
-          "Unshot radiosity in W/m^2 that the (extended) first shot leaves on every patch; auto takes the paper's. "
-          "With 0, the method extended is progressive ray refinement."},
+          "Unshot radiosity in W/m^2 that the extended first shot leaves on every patch; auto takes the paper's."},
          {"steps", 0, "K", "1000", "Largest number of passes of the extended first shot."},
          {"estimator", 0, "WHICH", "collision",
-          "For local and gathering: score a particle wherever it arrives (collision), or only where it is absorbed "
-          "(absorption).",
-          false, names_of(estimator_choices)},
+          "For local and gathering: score a particle wherever it arrives, or only where it is absorbed.", false,
+          names_of(estimator_choices)},
          {"bidirectional", 0, "WHETHER", "yes",
           "Whether a global line, or a ray of jacobi, carries power in both directions at once.", false,
           names_of(yes_or_no)},
          {"bundle", 0, "N", "auto",
-          "For transillumination: number of parallel lines for each direction, at most a sixteenth of all lines; auto "
-          "takes the square root of the number of lines."},
+          "For transillumination: parallel lines for each direction; auto takes the square root of all lines."},
          {"chords", 0, "FROM", "",
-          "Draw global lines between two points of the sphere around the scene, as in the paper, or from points of "
-          "its bounding box into the box, so that none misses it. By default the methods of the paper take the sphere.",
+          "Draw global lines through the sphere around the scene, as in the paper and its methods by default, or from "
+          "points of its bounding box, so that none misses it.",
           false, names_of(chords_choices)},
-         {"sequence", 's', "NAME", "sobol",
-          "Sequence that generates the lines, such as random, sobol, sobol-owen, halton or halton:2,7,3,5; 'multipath "
-          "help sequences' lists them all."},
+         {"sequence", 's', "NAME", "sobol", "Sequence that generates the lines; 'help sequences' lists them."},
          {"line-order", 0, "HOW", "shuffled",
           "Order in which the walk takes its global lines: shuffled in blocks, or that of the sequence, as in the "
-          "paper. The latter makes the result slightly wrong with quasi-random sequences and few patches.",
+          "paper, which makes results of quasi-random sequences slightly wrong.",
           false, names_of(line_order_choices)},
          {"pairing", 0, "HOW", "4d",
           "Take one 4-D item for each line, or two successive 2-D items, which fails with quasi-random sequences.",
@@ -78,13 +71,11 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          threads_option()}};
     const std::vector<Option> for_reuse = {
         {"direct", 0, "HOW", "gather",
-         "For reuse: gather the direct light of the sources by rays between pairs of patches, or shoot it like the "
-         "extended first shot.",
-         false, names_of(direct_choices)},
+         "For reuse: gather the direct light between pairs of patches, or shoot it as extended does.", false,
+         names_of(direct_choices)},
         {"denoise", 0, "WHETHER", "yes",
-         "For reuse without a table of pairs: replace the light of neighbouring patches by a polynomial where their "
-         "noise hides any difference from it.",
-         false, names_of(yes_or_no)}};
+         "For reuse without a table of pairs: smooth the light of neighbouring patches within its noise.", false,
+         names_of(yes_or_no)}};
     if (with_reuse)
         group.options.insert(group.options.end(), for_reuse.begin(), for_reuse.end());
     return group;
@@ -94,14 +85,12 @@ OptionGroup solve_method_group()
 {
     OptionGroup group = method_option_group(
         {"lines", 'n', "N", "auto",
-         "Total number of lines, local and global; auto takes 2^20, or a larger power of two that gives each patch 24 "
-         "or more. Global lines that miss the scene's bounding box are not counted.",
-         false, any_text, "tolerance time", true},
+         "Total number of lines, local and global; auto takes 2^20, or a power of two that gives each patch 24.", false,
+         any_text, "tolerance time", true},
         true);
-    group.options.push_back(
-        {"important", 0, "WHAT", "",
-         "For reuse and jacobi: send more rays that matter for an object or a material of this name, or for "
-         "what the given cameras see (view). The rest of the scene gets fewer."});
+    group.options.push_back({"important", 0, "WHAT", "",
+                             "For reuse and jacobi: more rays for an object or material of this name, or for what the "
+                             "cameras see (view)."});
     return group;
 }
 

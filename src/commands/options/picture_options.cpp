@@ -13,8 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 namespace multipath {
@@ -105,27 +103,21 @@ OptionGroup picture_option_group()
          {"size", 0, "WxH", "800x600", "Width and height in pixels."},
          {"samples", 0, "N", "9", "Rays per pixel for smooth edges, rounded up to a square number."},
          {"shading", 0, "HOW", "smooth",
-          "Interpolate between patches (smooth); show each in one colour (flat); or compute the last reflection for "
-          "every pixel (gather), which is slow but gives sharp shadows and no visible patches.",
+          "Interpolate between patches, show each in one colour, or compute the last reflection for every pixel "
+          "(gather): slow, but with sharp shadows.",
           false, names_of(shading_choices), "show"},
          {"gather-rays", 0, "N", "64",
-          "For --shading gather: rays per pixel in all directions; twice as many are sent to sources that may be "
-          "occluded.",
-          false, any_text, "shading=gather"},
+          "For --shading gather: rays per pixel in all directions, and half as many as to the sources.", false,
+          any_text, "shading=gather"},
          {"camera", 0, "FILE.json", "",
-          "View that the page has saved, instead of --eye, --target, --up and --fov. Several views give several "
-          "pictures: room-door.png for door.json.",
-          true},
-         {"eye", 0, "X,Y,Z", "",
-          "Position of the camera. By default it is chosen so that it shows most of the lit parts of the room."},
-         {"target", 0, "X,Y,Z", "",
-          "Point that the camera looks at. By default the centre of the scene, or chosen together with the position."},
+          "View that the page has saved. Several give several pictures: room-door.png for door.json.", true},
+         {"eye", 0, "X,Y,Z", "", "Position of the camera; by default it shows most of the lit parts of the room."},
+         {"target", 0, "X,Y,Z", "", "Point that the camera looks at; by default the centre, or chosen with the eye."},
          {"up", 0, "X,Y,Z", "0,1,0", "Upward direction."},
-         {"fov", 0, "DEGREES", "", "Vertical field of view. By default 60, or chosen together with the position."},
+         {"fov", 0, "DEGREES", "", "Vertical field of view; by default 60, or chosen with the eye."},
          {"grid", 0, "HEIGHT,STEP", "",
-          "Write into .csv files not the patches but the irradiance from above on a horizontal grid, given its height "
-          "above the lowest point of the scene and the distance between its points, in metres. Also prints mean, "
-          "least, most and uniformity."},
+          "Write into .csv files the irradiance from above on a horizontal grid, at a height above the lowest point of "
+          "the scene, with a distance between its points, in metres. Also prints its statistics."},
          {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure.", false,
           any_text, "show"},
          {"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,

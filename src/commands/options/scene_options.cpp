@@ -52,40 +52,24 @@ OptionGroup scene_option_group()
 {
     return {
         "Scene",
-        {{"patch-size", 'p', "SIZE", "",
-          "Longest edge of a patch in metres. By default 'solve' chooses adaptive patches, and other commands a size "
-          "that gives a few thousand."},
-         {"patches", 0, "N", "",
-          "Largest number of patches, instead of --patch-size; there are never fewer than surfaces."},
+        {{"patch-size", 'p', "SIZE", "", "Longest edge of a patch in metres; see 'help scenes' for the default."},
+         {"patches", 0, "N", "", "Largest number of patches, at least one for each surface; instead of --patch-size."},
          {"two-sided", 0, "", "", "Give every surface patches on its back too. Only fronts emit."},
-         {"flip", 0, "", "",
-          "Turn every face over, for a scene that was modelled to be seen from outside. Without this option, what "
-          "light "
-          "meets only from behind is turned: closed shells such as rooms, and the faces of scenes with no lit front."},
-         {"unit", 0, "UNIT", "m",
-          "Unit of the coordinates in the file. Everything printed, written or given as an option, such as --eye, is "
-          "in metres.",
-          false, names_of(unit_choices)},
+         {"flip", 0, "", "", "Turn every face over, for a scene modelled to be seen from outside; see 'help scenes'."},
+         {"unit", 0, "UNIT", "m", "Unit of the coordinates in the file; all options and results are in metres.", false,
+          names_of(unit_choices)},
          memory_option(),
          {"lamp", 0, "NAME=E", "",
-          "Let a material, or else an object or group, emit E in W/m^2 instead of what the file says. E is one number, "
-          "or three for red, green and blue.",
+          "Let a material, or else an object or group, emit E in W/m^2, one number or three for red, green, blue.",
           true},
-         {"sky", 0, "E", "",
-          "Uniform light from all directions outside: a surface that sees nothing else receives E in W/m^2, one number "
-          "or three for red, green and blue."},
+         {"sky", 0, "E", "", "Uniform light from outside: what sees nothing else receives E in W/m^2, as for --lamp."},
          {"sun", 0, "AZIMUTH,ELEVATION,E", "",
-          "Parallel light from an azimuth (degrees clockwise from north) and an elevation (degrees above the horizon). "
-          "A surface that faces the sun receives E in W/m^2, one number or three. East is +x; north is -z, or +y where "
-          "z is up (--up)."},
-         {"unit-light", 0, "UNIT", "watt",
-          "Unit of emittances and powers: watt for W/m^2 and W, or lux for photometric results in lx and lm.", false,
-          names_of(light_choices)},
-         {"ignore", 0, "NAME", "",
-          "Leave out the faces of a material, or else of an object or group, such as the glass in front of a lamp.",
-          true},
-         {"reflectance-limit", 0, "X", "1",
-          "Reduce reflectances above X (from 0 to 1) to X, for files whose white is 1 or more."},
+          "Parallel light from degrees clockwise of north (-z, or +y where z is up) and degrees above the horizon. A "
+          "surface that faces it receives E in W/m^2, as for --lamp."},
+         {"unit-light", 0, "UNIT", "watt", "Unit of emittances and powers: W/m^2 and W, or photometric, lx and lm.",
+          false, names_of(light_choices)},
+         {"ignore", 0, "NAME", "", "Leave out the faces of a material, or else of an object or group.", true},
+         {"reflectance-limit", 0, "X", "1", "Reduce reflectances above X to X, for files whose white is 1 or more."},
          {"emission-from", 0, "KEY", "Ke", "Key in the material file that gives the emittance.", false,
           names_of(emission_choices)}}};
 }

@@ -44,20 +44,18 @@ OptionGroup accuracy_option_group()
     return {
         "Accuracy",
         {{"adaptive", 0, "N", "",
-          "Cut patches where the light changes most into four, and these again, until there are N. This is the default "
-          "without --patch-size and --patches, with 5,000 patches and five for every four surfaces.",
+          "Cut patches where the light changes most, until there are N: the default without --patch-size and "
+          "--patches.",
           false, any_text, "tolerance"},
          {"replicates", 0, "R", "1",
           "Solve R times with independent randomisations of the sequence, each with its part of the lines; estimates "
           "the standard error of every patch and of the whole.",
           false, any_text, "tolerance time"},
          {"tolerance", 0, "SHARE", "",
-          "Cut patches and double the lines until the root of the relative mean square error, of patches and noise "
-          "together, is at most this, such as 1%. Takes 4 replicates by default; --lines, if given, limits the last "
-          "round; --adaptive, --patches and --patch-size fix the patches.",
+          "Cut patches, unless options fix them, and double the lines, at most to --lines, until the root of the "
+          "relative mean square error is at most this, such as 1%. Takes 4 replicates by default.",
           false, any_text, "", true},
-         {"time", 0, "TIME", "",
-          "Double the lines for as long as this allows, such as 30s, with replicates and --lines as for --tolerance.",
+         {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s, otherwise as --tolerance.",
           false, any_text, "", true}}};
 }
 

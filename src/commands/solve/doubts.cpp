@@ -45,16 +45,14 @@ std::vector<std::string> doubts_of_lines(const SolveSummary& s)
     constexpr std::uint64_t few_per_patch = 16;
     std::vector<std::string> doubts;
     if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 && lines < enough_for_reuse)
-        doubts.push_back("too few lines per patch for line reuse: particles carried the light, with more noise; " +
-                         grouped(enough_for_reuse) + " lines are enough for reuse");
+        doubts.push_back("too few lines for reuse: particles carried the light, with more noise; " +
+                         grouped(enough_for_reuse) + " lines are enough");
     else if (lines < few_per_patch * s.scene.patch_count())
-        doubts.push_back(format("only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each "
-                                "patch 24 or more",
+        doubts.push_back(format("only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each 24",
                                 static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str()));
     if (s.solution.by_particles)
-        doubts.push_back("method " + std::string(s.options.method->name) +
-                         " finds no sound solution with these lines: particles carried the light, with more noise; "
-                         "more lines help");
+        doubts.push_back(std::string(s.options.method->name) + " finds no sound solution with these lines: " +
+                         "particles carried the light, with more noise; more lines help");
     return doubts;
 }
 
@@ -67,22 +65,20 @@ std::vector<std::string> doubts_of_power(const SolveSummary& s)
     const double emitted_too_much = std::abs(mean(balance.emitted) - mean(balance.source));
     std::vector<std::string> doubts;
     if (balance.emitted_error > 0.0 && emitted_too_much > 4.0 * balance.emitted_error)
-        doubts.push_back(format("the lines sent %.4g %s, but the sources emit %.4g, and noise explains a difference of "
-                                "only %.2g: these lines are not uniform, and the result is wrong to the same degree",
-                                mean(balance.emitted), light_units(s.scene.file()).power, mean(balance.source),
-                                balance.emitted_error));
+        doubts.push_back(format(
+            "the lines sent %.4g %s of %.4g, and noise explains a difference of only %.2g: they are "
+            "not uniform, and the result is wrong to the same degree",
+            mean(balance.emitted), light_units(s.scene.file()).power, mean(balance.source), balance.emitted_error));
     if (unshot > 5.0)
         doubts.push_back(percent_text(0.01 * unshot) +
-                         " of the power is not distributed yet, which makes the result too dark; more lines help, or "
-                         "larger patches");
+                         " of the power is not distributed yet, which makes the result too dark; more lines help");
     else if (const double growth = growth_by_unshot_light(s); growth > 0.1)
-        doubts.push_back("the " + percent_text(0.01 * unshot) +
-                         " of the power that is not distributed yet is on surfaces that reflect nearly all of it, and "
-                         "may make the result brighter by " +
+        doubts.push_back("the power that is not distributed yet is on surfaces that reflect nearly all of it, and may "
+                         "make the result brighter by " +
                          percent_text(growth) + "; more lines help, or --method reuse");
     if (behind > 0.01 && !s.scene.file().sky_surfaces) // the sky also shines on outer sides
-        doubts.push_back(format("%.3g %% of the power met surfaces from behind and is lost, which makes the result too "
-                                "dark; 'multipath check' names them, --two-sided gives them backs",
+        doubts.push_back(format("%.3g %% of the power met surfaces from behind and is lost; 'multipath check' names "
+                                "them, --two-sided gives them backs",
                                 behind));
     return doubts;
 }
@@ -99,8 +95,8 @@ std::vector<std::string> doubts_of_error(const SolveSummary& s)
                               : "the limit of lines or time was reached"));
     if (s.solution.relative_standard_error &&
         all_lines(s) < lines_for_error_estimate(s.scene, s.options.method, s.solution.replicates))
-        doubts.push_back(format("with fewer than %d lines per patch in each replicate the error may be several times "
-                                "larger than this; more lines or fewer replicates help",
+        doubts.push_back(format("with fewer than %d lines per patch in each replicate it may be several times larger; "
+                                "more lines or fewer replicates help",
                                 static_cast<int>(s.options.method->lines_per_patch(s.scene))));
     return doubts;
 }

@@ -316,11 +316,9 @@ OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Output file, whose extension determines the format: " + join(extensions_of_formats()) +
-                  " ('multipath help outputs' describes them). '-' writes the first of these to standard output. "
-                  "By default a " +
-                  join(extensions_of_formats(true), " and a ") +
-                  " with the name of the input are written to the working directory.",
+              "Output file, by its extension " + join(extensions_of_formats()) +
+                  "; see 'help outputs'. '-' writes the first of these to standard output. By default a " +
+                  join(extensions_of_formats(true), " and a ") + " with the name of the input.",
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
              {"quiet", 'q', "", "", "Print only errors on stderr."},

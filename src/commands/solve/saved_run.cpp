@@ -65,12 +65,9 @@ OptionGroup state_option_group()
 {
     return {"State",
             {{"state", 0, "FILE", "",
-              "Save the state of the run in this file, regularly and at the end. It serves to resume the run after an "
-              "interruption, to merge shards, and to make other pictures."},
+              "Save the state of the run in this file, regularly and at the end; see 'help states'."},
              {"save-every", 0, "TIME", "60s", "Interval between saves of the state."},
-             {"resume", 0, "", "",
-              "Resume from the --state file if it exists, with the same result as without the interruption. --lines "
-              "may be larger than before."},
+             {"resume", 0, "", "", "Resume from the --state file if it exists, perhaps with more --lines."},
              {"from-state", 0, "FILE", "", "Resume from the state in this file, which remains unchanged."},
              {"shard", 0, "I/N", "", "Do shard I of N of the work, 1/N ... N/N; 'multipath merge' adds them up."}}};
 }

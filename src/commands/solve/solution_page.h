@@ -2,10 +2,10 @@
 
 #include "commands/options/picture_options.h"
 #include "explain/stage_trace.h"
-#include "radiosity/run/solve.h"
+#include "radiosity/run/solution.h"
+#include "radiosity/run/solve_options.h"
 #include "viewer/viewer_page.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
