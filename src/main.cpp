@@ -59,7 +59,7 @@ int wrong_usage(const std::string& message, const std::vector<Command>& commands
 {
     const bool known =
         std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.table.name == command; });
-    failed(message + "\n" + help_hint(known ? command : ""));
+    failed(message + "\ntry 'multipath " + (known ? command + " " : "") + "--help'");
     return exit_usage;
 }
 

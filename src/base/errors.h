@@ -49,7 +49,7 @@ public:
 };
 
 /// The command line is wrong (exit code 2). The message is one line without the name of the program. main(), which
-/// knows the command, adds help_hint() to it.
+/// knows the command, adds the way to its help.
 class UsageError : public std::runtime_error
 {
 public:

@@ -217,10 +217,9 @@ Command check_command()
                  "Number of lines for each measured figure; fewer are cast if they meet very many surfaces."},
                 threads_option()}},
               scene_option_group()},
-             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area, and a\n"
-             "note otherwise, or if it does not make the result wrong. The most severe come first.\n"
-             "\n"
-             "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read.\n"},
+             "A finding is WRONG if it concerns at least 0.5 % of the power of the sources, or of the area, and a note "
+             "otherwise, or if it does not make the result wrong. The most severe come first.\n\n"
+             "Exit code 0: nothing is WRONG; 1: something is, or the scene cannot be read."},
             run_check};
 }
 

@@ -1,7 +1,7 @@
 #include "commands/commands.h"
 
 #include "base/errors.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 
 #include <algorithm>
 

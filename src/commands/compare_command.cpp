@@ -253,13 +253,13 @@ Command compare_command()
                  "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
                 {"json", 0, "", "", "Print the report as JSON on standard output."},
                 threads_option()}}},
-             "A is measured against B, the reference: tables (solve -o FILE.csv) or states of finished runs\n"
-             "with the same patches. Standard errors, if there are any, are said to explain the difference\n"
-             "or not. A table of another program, as A, needs the columns patch, counted from 0 in the order\n"
-             "of B, and radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
-             "States of the same surfaces with other patches, many more in B, are compared by what smooth\n"
-             "shading shows of A: at points, against light gathered from B, or from A itself without B. This\n"
-             "is the error of patches and noise together, but for errors common to all that a point sees.\n"},
+             "A is measured against B, the reference: tables (solve -o FILE.csv) or states of finished runs with the "
+             "same patches. Standard errors, if there are any, are said to explain the difference or not. A table of "
+             "another program, as A, needs the columns patch, counted from 0 in the order of B, and radiosity, or "
+             "radiosity_r, radiosity_g, radiosity_b.\n\n"
+             "States of the same surfaces with other patches, many more in B, are compared by what smooth shading "
+             "shows of A: at points, against light gathered from B, or from A itself without B. This is the error of "
+             "patches and noise together, but for errors common to all that a point sees."},
             run_compare};
 }
 

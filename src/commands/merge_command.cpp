@@ -124,10 +124,9 @@ Command merge_command()
              "add up the shards of one run (solve --shard)",
              {"STATE...", 1, any_number},
              {solution_output_group(), picture_option_group(), {"Computation", {threads_option()}}},
-             "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts lines;\n"
-             "for a second round in shards, write the sum as a state and start from it (--from-state), or\n"
-             "let 'merge' do all that is left. Shards of other methods are averaged by their lines.\n"
-             "\n"
+             "Shards of the method 'reuse' give the same bytes as a single run. Their first round counts lines; for a "
+             "second round in shards, write the sum as a state and start from it (--from-state), or let 'merge' do all "
+             "that is left. Shards of other methods are averaged by their lines.\n\n"
              "  multipath solve room.obj --shard 1/2 --state 1.state     and the same with 2/2\n"
              "  multipath merge 1.state 2.state -o room.png -o room.csv\n"},
             run_merge};

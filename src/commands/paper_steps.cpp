@@ -1,5 +1,6 @@
 #include "commands/paper_steps.h"
 
+#include <iterator>
 #include <sstream>
 
 namespace multipath {
@@ -18,82 +19,60 @@ struct Effort
     std::string replicates;
 };
 
-Effort full_effort()
+const Effort full_effort = {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
+const Effort quick_effort = {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
+
+/// Appends the step of a command line whose words are separated by spaces. SCENES and FOLDER stand for the names of
+/// folders, which may contain spaces.
+void add(std::vector<PaperStep>& list, const std::string& command, const std::vector<std::string>& outputs)
 {
-    return {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
+    std::istringstream words(command);
+    list.push_back({{std::istream_iterator<std::string>(words), {}}, outputs});
 }
 
-Effort quick_effort()
+/// Appends a study with a table and a plot as outputs.
+void add_study(std::vector<PaperStep>& list, const std::string& name, const std::string& words)
 {
-    return {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
+    add(list, "study SCENES/" + words, {name + ".csv", name + ".svg"});
 }
-
-/// Builds the list of steps from command lines whose words are separated by spaces. SCENES and FOLDER stand for the
-/// names of folders, which may contain spaces.
-class StepList
-{
-public:
-    StepList(std::string scenes, std::string folder) : scenes_(std::move(scenes)), folder_(std::move(folder)) {}
-
-    void add(const std::string& command, const std::vector<std::string>& outputs)
-    {
-        PaperStep step{{}, outputs};
-        std::istringstream stream(command);
-        for (std::string word; stream >> word;)
-            step.words.push_back(word.rfind("SCENES/", 0) == 0   ? scenes_ + word.substr(6)
-                                 : word.rfind("FOLDER/", 0) == 0 ? folder_ + word.substr(6)
-                                                                 : word);
-        steps.push_back(step);
-    }
-
-    /// Adds a study with a table and a plot as outputs.
-    void study(const std::string& name, const std::string& words)
-    {
-        add("study SCENES/" + words, {name + ".csv", name + ".svg"});
-    }
-
-    std::vector<PaperStep> steps;
-
-private:
-    std::string scenes_;
-    std::string folder_;
-};
 
 /// The patch size that `study` chooses for this scene by default; `solve` would choose adaptive patches.
 const std::string patches_of_4chairs = " --patch-size 0.25";
 
 /// Section 3: sequences.
-void add_sequences(StepList& list, const Effort& effort)
+void add_sequences(std::vector<PaperStep>& list, const Effort& effort)
 {
     const std::string few = "halton:2,7,3,5,halton:11,13,17,19,sobol";
     const std::string curves = " --methods first-shot --sequences random," + few + " --line-orders sequence";
     const std::string lines = " --from " + effort.slopes_from + " --to ";
     const std::string replicates = " --replicates " + effort.replicates;
     const std::string slopes = lines + effort.slopes_to + replicates;
-    list.add("points --figure 1", {"figure1.svg"});
-    list.add("points --figure 2", {"figure2.svg"});
-    list.study("figure3", "5cubes.obj" + curves + slopes);
-    list.study("figure4", "4chairs.obj" + curves + slopes);
-    list.study("order", "5cubes.obj --patch-size 0.5 --methods first-shot --sequences " + few +
-                            " --line-orders sequence,shuffled" + lines + effort.order_to + replicates);
-    list.study("pairs", "5cubes.obj --methods first-shot --sequences halton,sobol --pairings 4d,2d" + slopes);
+    add(list, "points --figure 1", {"figure1.svg"});
+    add(list, "points --figure 2", {"figure2.svg"});
+    add_study(list, "figure3", "5cubes.obj" + curves + slopes);
+    add_study(list, "figure4", "4chairs.obj" + curves + slopes);
+    add_study(list, "order",
+              "5cubes.obj --patch-size 0.5 --methods first-shot --sequences " + few +
+                  " --line-orders sequence,shuffled" + lines + effort.order_to + replicates);
+    add_study(list, "pairs", "5cubes.obj --methods first-shot --sequences halton,sobol --pairings 4d,2d" + slopes);
     const std::string picture =
         "solve SCENES/4chairs.obj" + patches_of_4chairs + " --method first-shot --line-order sequence --lines ";
     const std::string flat = " --shading flat --size 400x300";
-    list.add(picture + "266000 --sequence random" + flat, {"figure5a.png"});
-    list.add(picture + "266000 --sequence halton:11,13,17,19" + flat, {"figure5b.png"});
-    list.add(picture + "532000 --sequence random" + flat, {"figure5c.png"});
-    list.add(picture + "532000 --sequence halton:11,13,17,19" + flat, {"figure5d.png"});
+    add(list, picture + "266000 --sequence random" + flat, {"figure5a.png"});
+    add(list, picture + "266000 --sequence halton:11,13,17,19" + flat, {"figure5b.png"});
+    add(list, picture + "532000 --sequence random" + flat, {"figure5c.png"});
+    add(list, picture + "532000 --sequence halton:11,13,17,19" + flat, {"figure5d.png"});
 }
 
 /// Section 4: the extended first shot. The errors are measured against two references: the best that the program can
 /// compute, and one like the paper's.
-void add_shots(StepList& list, const Effort& effort)
+void add_shots(std::vector<PaperStep>& list, const Effort& effort)
 {
     const auto picture = [&](const std::string& method, const std::string& file) {
-        list.add("solve SCENES/4chairs-up.obj" + patches_of_4chairs + " --method " + method +
-                     " --lines 1.5M --sequence random --shading flat --size 400x300",
-                 {file});
+        add(list,
+            "solve SCENES/4chairs-up.obj" + patches_of_4chairs + " --method " + method +
+                " --lines 1.5M --sequence random --shading flat --size 400x300",
+            {file});
     };
     picture("first-shot", "figure6a.png");
     picture("extended", "figure6b.png");
@@ -102,29 +81,29 @@ void add_shots(StepList& list, const Effort& effort)
     const std::string random =
         " --sequences random --from 46875 --to " + effort.shots_to + " --replicates " + effort.replicates;
     const std::string all = " --methods first-shot,extended,local" + random;
-    list.study("figure7", "4chairs-up.obj" + all);
-    list.study("figure8", "4chairs-up.obj --methods extended,local" + random);
-    list.study("figure9", "4chairs.obj" + all);
+    add_study(list, "figure7", "4chairs-up.obj" + all);
+    add_study(list, "figure8", "4chairs-up.obj --methods extended,local" + random);
+    add_study(list, "figure9", "4chairs.obj" + all);
 
     const std::string reference =
         patches_of_4chairs + " --method local --sequence random --replicates 4 --lines " + effort.reference_lines;
-    list.add("solve SCENES/4chairs-up.obj" + reference, {"reference-up.csv"});
-    list.add("solve SCENES/4chairs.obj" + reference, {"reference-down.csv"});
-    list.add("study SCENES/4chairs-up.obj" + all + " --reference FOLDER/reference-up.csv", {"figure7-local.csv"});
-    list.add("study SCENES/4chairs.obj" + all + " --reference FOLDER/reference-down.csv", {"figure9-local.csv"});
-    list.add("study SCENES/4chairs.obj" + all + " --patch-size 0.5", {"figure9-coarse.csv"});
-    list.add("study SCENES/4chairs.obj" + all + " --patch-size 0.15", {"figure9-fine.csv"});
+    add(list, "solve SCENES/4chairs-up.obj" + reference, {"reference-up.csv"});
+    add(list, "solve SCENES/4chairs.obj" + reference, {"reference-down.csv"});
+    add(list, "study SCENES/4chairs-up.obj" + all + " --reference FOLDER/reference-up.csv", {"figure7-local.csv"});
+    add(list, "study SCENES/4chairs.obj" + all + " --reference FOLDER/reference-down.csv", {"figure9-local.csv"});
+    add(list, "study SCENES/4chairs.obj" + all + " --patch-size 0.5", {"figure9-coarse.csv"});
+    add(list, "study SCENES/4chairs.obj" + all + " --patch-size 0.15", {"figure9-fine.csv"});
 }
 
 /// Line reuse, which goes beyond the paper, against lines and against seconds.
-void add_reuse(StepList& list, const Effort& effort)
+void add_reuse(std::vector<PaperStep>& list, const Effort& effort)
 {
     const std::string lines =
         " --from " + effort.slopes_from + " --to " + effort.reuse_to + " --replicates " + effort.replicates;
     for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"}) {
         const std::string curves = scene + ".obj --methods extended,reuse --sequences random,sobol-owen";
-        list.study("reuse-" + scene, curves + lines);
-        list.add("study SCENES/" + curves + " --against seconds" + lines, {"reuse-" + scene + "-seconds.svg"});
+        add_study(list, "reuse-" + scene, curves + lines);
+        add(list, "study SCENES/" + curves + " --against seconds" + lines, {"reuse-" + scene + "-seconds.svg"});
     }
 }
 
@@ -142,12 +121,18 @@ std::string typed(const PaperStep& step)
 
 std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder)
 {
-    const Effort effort = quick ? quick_effort() : full_effort();
-    StepList list(scenes, folder);
+    const Effort& effort = quick ? quick_effort : full_effort;
+    std::vector<PaperStep> list;
     add_sequences(list, effort);
     add_shots(list, effort);
     add_reuse(list, effort);
-    return list.steps;
+    for (PaperStep& step : list)
+        for (std::string& word : step.words)
+            if (word.rfind("SCENES/", 0) == 0)
+                word.replace(0, 6, scenes);
+            else if (word.rfind("FOLDER/", 0) == 0)
+                word.replace(0, 6, folder);
+    return list;
 }
 
 } // namespace multipath

@@ -1,7 +1,7 @@
 #include "base/errors.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"

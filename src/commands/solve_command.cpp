@@ -88,9 +88,7 @@ void resume(const StateOptions& state, const RunDescription& wanted, const Solve
         saved.description.shard = wanted.shard;
     require_same_run(saved.description, state.from, wanted);
     if (!job.quiet)
-        print_note(format(is_finished(saved) ? "the run of %s is finished; it continues only with more --lines\n"
-                                             : "resuming from %s\n",
-                          state.from.c_str()));
+        print_note("resuming from " + state.from + "\n");
     keeper.resume(std::move(saved));
 }
 

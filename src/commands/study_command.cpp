@@ -5,10 +5,8 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/choices.h"
 #include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "cli/progress.h"
@@ -72,10 +70,8 @@ std::vector<std::string_view> all_sequence_names()
 }
 
 /// The entries of the option `name`; for the word "all" those of the list `all`, unless that is empty. Throws
-/// UsageError for an empty or repeated entry, and for one that is not among the choices; without choices any name is
-/// allowed.
+/// UsageError for an empty or repeated entry.
 std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
-                                   const std::vector<std::string_view>& choices,
                                    const std::vector<std::string_view>& all = {})
 {
     if (!all.empty() && line.text(name) == "all")
@@ -85,24 +81,41 @@ std::vector<std::string> read_list(const CommandLine& line, const std::string& n
         if (entry.empty())
             throw UsageError("--" + name + ": expected names with a comma between them, got " +
                              quoted_argument(line.text(name)));
-        if (!choices.empty())
-            require_choice("--" + name, entry, choices);
         if (std::count(entries.begin(), entries.end(), entry) > 1)
             throw UsageError("--" + name + ": " + quoted_argument(entry) + " is named twice");
     }
     return entries;
 }
 
-CurvePlan curve_plan(const SolveOptions& settings, const CurveKind& wanted)
+/// The options for every run of a study.
+std::vector<Option> run_options()
 {
-    CurvePlan plan{wanted, settings};
-    plan.options.threads = 1; // of each run; several go on at a time
-    plan.options.method = method_named(wanted.method);
-    plan.options.sequence = wanted.sequence;
-    plan.options.pairing = row_named(pairing_choices, "--pairings", wanted.pairing).value;
+    return without_options(method_option_group({}, true),
+                           {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line", "important"})
+        .options;
+}
+
+/// A command `solve` of the scene of the study, with these words, and the values of these options as the user gave
+/// them.
+CommandLine solve_line(const CommandLine& line, std::vector<std::string> words, const std::vector<Option>& options)
+{
+    const std::vector<std::string> given = line.words(options);
+    words.insert(words.end(), given.begin(), given.end());
+    words.insert(words.end(), {"--", line.operands()[0]});
+    return {solve_command().table, words};
+}
+
+/// Throws UsageError for a name that is none.
+CurvePlan curve_plan(const CommandLine& line, const CurveKind& wanted)
+{
+    std::vector<std::string> words = {"--method",  wanted.method,  "--sequence",   wanted.sequence,
+                                      "--pairing", wanted.pairing, "--line-order", wanted.line_order};
     if (!wanted.chords.empty())
-        plan.options.chords = row_named(chords_choices, "--chords", wanted.chords).value;
-    plan.options.line_order = row_named(line_order_choices, "--line-orders", wanted.line_order).value;
+        words.push_back("--chords=" + wanted.chords);
+    std::vector<Option> options = run_options();
+    options.push_back(memory_option());
+    CurvePlan plan{wanted, read_solve_options(solve_line(line, words, options), "lines")};
+    plan.options.threads = 1; // of each run; several go on at a time
     plan.kind.sequence = checked_sequence_name(plan.options, "--sequences");
     plan.kind.chords =
         has_option(plan.options.method, "chords") ? name_of(chords_choices, chords_of(plan.options)) : "";
@@ -130,14 +143,15 @@ OptionGroup study_curve_options()
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
     const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
-    const std::vector<std::string> methods = read_list(line, "methods", known_methods, known_methods);
+    const std::vector<std::string> methods = read_list(line, "methods", known_methods);
+    for (const std::string& method : methods)
+        require_choice("--methods", method, known_methods);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
-    const SolveOptions settings = read_settings(line);
-    const std::vector<std::string> sequences = read_list(line, "sequences", {}, all_sequence_names());
-    const std::vector<std::string> pairings = read_list(line, "pairings", names_of(pairing_choices));
-    const std::vector<std::string> orders = read_list(line, "line-orders", names_of(line_order_choices));
+    const std::vector<std::string> sequences = read_list(line, "sequences", all_sequence_names());
+    const std::vector<std::string> pairings = read_list(line, "pairings");
+    const std::vector<std::string> orders = read_list(line, "line-orders");
     const std::vector<std::string> chords =
-        line.has("chords") ? read_list(line, "chords", names_of(chords_choices)) : std::vector<std::string>{""};
+        line.has("chords") ? read_list(line, "chords") : std::vector<std::string>{""};
 
     std::vector<CurvePlan> curves;
     for (const std::string& method : methods)
@@ -145,7 +159,7 @@ std::vector<CurvePlan> read_curves(const CommandLine& line)
             for (const std::string& pairing : pairings)
                 for (const std::string& chord : chords)
                     for (const std::string& order : orders) {
-                        const CurvePlan plan = curve_plan(settings, {method, sequence, pairing, chord, order});
+                        const CurvePlan plan = curve_plan(line, {method, sequence, pairing, chord, order});
                         const auto known = [&](const CurvePlan& other) { return other.kind == plan.kind; };
                         if (std::none_of(curves.begin(), curves.end(), known))
                             curves.push_back(plan);
@@ -156,24 +170,15 @@ std::vector<CurvePlan> read_curves(const CommandLine& line)
 constexpr std::array<NamedValue<Abscissa>, 2> against_choices = {
     {{"lines", Abscissa::lines}, {"seconds", Abscissa::seconds}}};
 
-std::vector<std::uint64_t> line_counts(const CommandLine& line)
-{
-    constexpr std::uint64_t longest_study = std::uint64_t{1} << 40; // months
-    const std::uint64_t from = read_count("--from", line.text("from"), 1, longest_study);
-    const std::uint64_t to = read_count("--to", line.text("to"), 1, longest_study);
-    if (to < from)
-        throw UsageError("--to: expected at least the lines of --from, got fewer");
-    std::vector<std::uint64_t> counts;
-    for (std::uint64_t lines = from; lines <= to; lines *= 2)
-        counts.push_back(lines);
-    return counts;
-}
-
 StudyPlan read_plan(const CommandLine& line)
 {
+    constexpr std::uint64_t longest_study = std::uint64_t{1} << 40; // months
     StudyPlan plan;
     plan.curves = read_curves(line);
-    plan.line_counts = line_counts(line);
+    const std::uint64_t from = read_count("--from", line.text("from"), 1, longest_study);
+    const std::uint64_t to = read_count("--to", line.text("to"), from, longest_study);
+    for (std::uint64_t lines = from; lines <= to; lines *= 2)
+        plan.line_counts.push_back(lines);
     plan.executions = static_cast<int>(read_count("--replicates", line.text("replicates"), 1, 10000));
     plan.seed = read_count("--seed", line.text("seed"));
     return plan;
@@ -204,15 +209,11 @@ std::string checksum_of(const std::string& bytes)
 /// reproduced.
 CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
 {
-    std::vector<std::string> words = {
-        line.operands()[0], "--method",   "reuse",        "--lines", std::to_string(reference_factor * longest),
-        "--sequence",       "sobol-owen", "--replicates", "4"};
+    const std::string lines = std::to_string(reference_factor * longest);
     std::vector<Option> shared = scene_option_group().options;
     for (const char* name : {"threads", "seed"})
         shared.push_back(*find_option(line.table(), name));
-    const std::vector<std::string> given = line.words(shared);
-    words.insert(words.end(), given.begin(), given.end());
-    return {solve_command().table, words};
+    return solve_line(line, {"--lines", lines, "--sequence", "sobol-owen", "--replicates", "4"}, shared);
 }
 
 Reference reference_of(const PatchTable& table, const Scene& scene)
@@ -362,7 +363,6 @@ int run_study_command(const CommandLine& line)
     require_no_input(outputs, input_files(scene.file()));
     const std::vector<std::string> comments = provenance(line, scene);
     const std::string cache = cache_folder(line, paths);
-    always_end_at_interrupts();
     const Reference reference = study_reference(line, scene, plan, cache);
     Study study;
     {
@@ -389,8 +389,6 @@ int run_study_command(const CommandLine& line)
 
 Command study_command()
 {
-    const OptionGroup settings = without_options(
-        method_option_group({}, true), {"", "method", "sequence", "pairing", "line-order", "chords", "power-per-line"});
     return {
         {"study",
          "measure the error against the number of lines, for methods and sequences, and fit slopes",
@@ -416,7 +414,7 @@ Command study_command()
             {"reference", 0, "FILE", "",
              "Measure the error against this result of solve, a table of patches or a state; against one with much "
              "smaller patches as 'compare' does. By default a reference with 16 times the lines is computed."}}},
-          {"Every run", settings.options},
+          {"Every run", run_options()},
           scene_option_group()},
          "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
          "\n"

@@ -50,7 +50,7 @@ reuse() {
 }
 check "line reuse that does not fit is refused" reuse
 
-file() { ends 1 check "$scene" --memory 1kB && lines_are err 1 && says err "reading it needs about"; }
+file() { ends 1 check "$scene" --memory 1000 && lines_are err 1 && says err "reading it needs about"; }
 check "a file that does not fit is refused" file
 
 # With pairs within the limit, and counted in rows where they are not.

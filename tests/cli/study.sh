@@ -141,7 +141,7 @@ refusals() {
     ends 2 study "$scene" --sequences random,random && says err "named twice" || return
     ends 2 study "$scene" --sequences sobl && says err "sobl" || return
     ends 2 study "$scene" --sequences 2,3 && says err "sequences" || return
-    ends 2 study "$scene" --from 2^20 --to 2^14 && says err "at least the lines of --from" || return
+    ends 2 study "$scene" --from 2^20 --to 2^14 && says err "--to: expected a count from 1048576" || return
     ends 2 study "$scene" --from 0 && says err "--from" || return
     ends 2 study "$scene" --replicates 0 && says err "--replicates" || return
     ends 2 study "$scene" --methods local --chords box && says err "no effect with --methods local" || return

@@ -42,10 +42,10 @@ check "solve --help lists the options of the manual" solve_options
 
 narrow_help() {
     for command in $(listed_commands); do
-        ends 0 $command --help && ! awk 'length($0) > 100' out | grep . || return
+        ends 0 $command --help && ! awk 'length($0) > 80' out | grep . || return
     done
 }
-check "the help fits into 100 columns" narrow_help
+check "the help fits into 80 columns" narrow_help
 
 unknown_command() { ends 2 sovle && silent out && says err "expected one of solve"; }
 check "a misspelled command is answered with the list of all" unknown_command

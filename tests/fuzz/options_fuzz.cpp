@@ -2,7 +2,6 @@
 // byte chooses the command.
 
 #include "base/errors.h"
-#include "cli/options/choices.h"
 #include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "commands/commands.h"

@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
 
 #include <algorithm>
 #include <cassert>
@@ -28,6 +27,18 @@ const Option* first_option(const CommandTable& table, const Predicate& holds)
 }
 
 } // namespace
+
+std::string quoted_argument(std::string_view text)
+{
+    return "'" + without_controls(text) + "'";
+}
+
+void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices)
+{
+    if (std::find(choices.begin(), choices.end(), word) != choices.end())
+        return;
+    throw UsageError(std::string(option) + ": expected one of " + join(choices) + ", got " + quoted_argument(word));
+}
 
 CommandTable with_help(CommandTable table)
 {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "cli/options/choices.h"
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -10,6 +8,12 @@
 #include <vector>
 
 namespace multipath {
+
+/// The text that the user gave, in single quotes and with '?' for control characters, so that a message stays one line.
+std::string quoted_argument(std::string_view text);
+
+/// Throws UsageError "OPTION: expected one of A, B, C, got 'WORD'" unless `word` is among the choices.
+void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices);
 
 /// The choices of an option that takes any text.
 inline const std::vector<std::string_view> any_text = {};
@@ -55,7 +59,7 @@ struct CommandTable
     std::string_view summary; ///< one line for the list of commands, without a full stop
     Operands operands;
     std::vector<OptionGroup> groups;
-    std::string_view notes = {}; ///< examples and remarks below the options, printed as they are
+    std::string_view notes = {}; ///< remarks and examples below the options, a line each
 };
 
 /// A copy of the table with one more group, of --help.

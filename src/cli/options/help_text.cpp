@@ -5,6 +5,7 @@
 #include "cli/version.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace multipath {
 
@@ -20,6 +21,19 @@ std::string left_column(const Option& option)
     if (!option.argument.empty())
         left.append(" ").append(option.argument);
     return left;
+}
+
+/// The help of an option, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
+std::string option_help(const Option& option)
+{
+    std::vector<std::string> facts;
+    if (!option.choices.empty())
+        facts.push_back("one of " + join(option.choices));
+    if (!option.default_text.empty())
+        facts.push_back("default " + std::string(option.default_text));
+    if (option.repeatable)
+        facts.emplace_back("may be repeated");
+    return option.help + (facts.empty() ? "" : " (" + join(facts, "; ") + ")");
 }
 
 } // namespace
@@ -51,23 +65,6 @@ std::string two_columns(const std::string& left, std::string_view right, std::si
     return left + (right.empty() ? "\n" : gap + wrapped_text(right, indent, indent, page_width));
 }
 
-std::string option_help(const Option& option)
-{
-    std::vector<std::string> facts;
-    if (!option.choices.empty())
-        facts.push_back("one of " + join(option.choices));
-    if (!option.default_text.empty())
-        facts.push_back("default " + std::string(option.default_text));
-    if (option.repeatable)
-        facts.emplace_back("may be repeated");
-    return option.help + (facts.empty() ? "" : " (" + join(facts, "; ") + ")");
-}
-
-std::string help_hint(std::string_view command)
-{
-    return "try 'multipath " + std::string(command) + (command.empty() ? "" : " ") + "--help'";
-}
-
 std::string help_text(const CommandTable& table)
 {
     std::string text = "usage: multipath " + std::string(table.name) + " [OPTIONS]" +
@@ -78,22 +75,18 @@ std::string help_text(const CommandTable& table)
         for (const Option& option : group.options)
             text += two_columns(left_column(option), option_help(option), option_indent);
     }
-    if (!table.notes.empty())
-        text.append("\n").append(table.notes).append(table.notes.back() == '\n' ? "" : "\n");
-    return text;
-}
-
-std::string command_list(const std::vector<CommandTable>& tables)
-{
-    std::string text;
-    for (const CommandTable& table : tables)
-        text += two_columns("  " + std::string(table.name), table.summary, 12);
+    std::istringstream notes((table.notes.empty() ? "" : "\n") + std::string(table.notes));
+    for (std::string line; std::getline(notes, line);)
+        text += wrapped_text(line, 0, 0, page_width);
     return text;
 }
 
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics)
 {
-    return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + command_list(tables) +
+    std::string commands;
+    for (const CommandTable& table : tables)
+        commands += two_columns("  " + std::string(table.name), table.summary, 12);
+    return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + commands +
            "\n'multipath COMMAND --help' explains a command; 'multipath --version' prints the version.\n" +
            wrapped_text("'multipath help TOPIC' explains a topic: " + join(names_of(topics)) + ".", 0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";

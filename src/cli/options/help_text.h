@@ -31,21 +31,12 @@ constexpr std::size_t page_width = 80; ///< [columns] width of the help
 /// next line if `left` is too long.
 std::string two_columns(const std::string& left, std::string_view right, std::size_t indent);
 
-/// The help of an option, followed by choices, default and repeatability in brackets: "(one of 4d, 2d; default 4d)".
-std::string option_help(const Option& option);
-
-/// `try 'multipath solve --help'`; for an empty command name `try 'multipath --help'`.
-std::string help_hint(std::string_view command);
-
-/// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. Summary and
-/// options are wrapped to 80 columns; the notes are printed as they are.
+/// The output of `multipath COMMAND --help`: usage, summary, options by group with their defaults, notes. All of it
+/// is wrapped to 80 columns.
 std::string help_text(const CommandTable& table);
 
 /// The output of `multipath --help`.
 std::string program_help(const std::vector<CommandTable>& tables, const std::vector<HelpTopic>& topics);
-
-/// One entry per command: name and summary, aligned.
-std::string command_list(const std::vector<CommandTable>& tables);
 
 /// The manual page (roff with the macros of man(7)): the help of every command, then every topic, as they are. The page
 /// carries the version but no date, so that the same tables give the same bytes.

@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
@@ -39,23 +39,6 @@ std::optional<std::uint64_t> digits_value(std::string_view text)
     return result.ec == std::errc() ? value : beyond_count;
 }
 
-/// The value of `2^20`, at most 2^64 - 1 (larger ones become that). Nothing unless both sides are plain whole numbers.
-std::optional<std::uint64_t> power_value(std::string_view text)
-{
-    const std::size_t caret = std::min(text.find('^'), text.size());
-    const std::optional<std::uint64_t> base = digits_value(text.substr(0, caret));
-    const std::optional<std::uint64_t> exponent = digits_value(text.substr(std::min(caret + 1, text.size())));
-    if (!base || !exponent)
-        return std::nullopt;
-    std::uint64_t value = 1;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(*exponent, 64); ++i) { // enough to reach the cap
-        if (*base != 0 && value > beyond_count / *base)
-            return beyond_count;
-        value *= *base;
-    }
-    return value;
-}
-
 /// The value of a decimal number times 10^exponent, correctly rounded; nothing for any other text, and for a value out
 /// of the range of normal doubles.
 std::optional<double> decimal_value(std::string_view text, int exponent = 0)
@@ -70,9 +53,17 @@ std::optional<double> decimal_value(std::string_view text, int exponent = 0)
     return is_zero ? 0.0 : *value; // not -0
 }
 
-/// The value of `1e6` or `1.5M`. M and G only in upper case: `1m` could mean a thousandth.
-std::optional<double> suffixed_value(std::string_view text)
+/// The value of `2^20`, `1e6` or `1.5M`. M and G only in upper case: `1m` could mean a thousandth.
+std::optional<double> number_value(std::string_view text)
 {
+    if (const std::size_t caret = text.find('^'); caret != std::string_view::npos) {
+        const std::optional<std::uint64_t> base = digits_value(text.substr(0, caret));
+        const std::optional<std::uint64_t> exponent = digits_value(text.substr(caret + 1));
+        double value = 1.0;
+        for (std::uint64_t i = 0; i < std::min<std::uint64_t>(exponent.value_or(0), 1024); ++i) // 2^1024 is infinite
+            value *= static_cast<double>(base.value_or(0));
+        return base && exponent && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+    }
     const char last = text.empty() ? '\0' : text.back();
     const int thousands = last == 'k' || last == 'K' ? 1 : last == 'M' ? 2 : last == 'G' ? 3 : 0;
     return decimal_value(text.substr(0, text.size() - (thousands > 0 ? 1 : 0)), 3 * thousands);
@@ -80,20 +71,12 @@ std::optional<double> suffixed_value(std::string_view text)
 
 std::optional<std::uint64_t> count_value(std::string_view text)
 {
-    for (const auto& exact : {digits_value(text), power_value(text)})
-        if (exact)
-            return exact;
-    const std::optional<double> value = suffixed_value(text);
+    if (const std::optional<std::uint64_t> exact = digits_value(text))
+        return exact;
+    const std::optional<double> value = number_value(text);
     if (!value || text[0] == '-' || *value != std::floor(*value))
         return std::nullopt;
     return *value < 0x1p64 ? static_cast<std::uint64_t>(*value) : beyond_count;
-}
-
-std::optional<double> number_value(std::string_view text)
-{
-    if (const std::optional<std::uint64_t> power = power_value(text))
-        return *power <= largest_count ? std::optional<double>(static_cast<double>(*power)) : std::nullopt;
-    return suffixed_value(text);
 }
 
 struct Unit
@@ -102,20 +85,8 @@ struct Unit
     double factor;
 };
 
-constexpr std::array<Unit, 14> units_of_memory = {{{"", 1.0},
-                                                   {"b", 1.0},
-                                                   {"k", 1e3},
-                                                   {"kb", 1e3},
-                                                   {"kib", 1024.0},
-                                                   {"m", 1e6},
-                                                   {"mb", 1e6},
-                                                   {"mib", 0x1p20},
-                                                   {"g", 1e9},
-                                                   {"gb", 1e9},
-                                                   {"gib", 0x1p30},
-                                                   {"t", 1e12},
-                                                   {"tb", 1e12},
-                                                   {"tib", 0x1p40}}};
+constexpr std::array<Unit, 7> units_of_memory = {
+    {{"", 1.0}, {"m", 1e6}, {"mi", 0x1p20}, {"g", 1e9}, {"gi", 0x1p30}, {"t", 1e12}, {"ti", 0x1p40}}};
 constexpr std::array<Unit, 6> units_of_time = {
     {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"m", 60.0}, {"min", 60.0}, {"h", 3600.0}}};
 
@@ -149,11 +120,9 @@ std::vector<std::string_view> split(std::string_view text, char separator)
 std::uint64_t read_count(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high)
 {
     const std::optional<std::uint64_t> value = count_value(text);
-    if (!value)
-        refuse(option, "a count such as 1000000, 1e6, 1M or 2^20", text);
-    if (*value < low || *value > high)
-        refuse(option,
-               "a count from " + std::to_string(low) + " to " + (high == largest_count ? "2^63" : std::to_string(high)),
+    const std::string most = high == largest_count ? "2^63" : std::to_string(high);
+    if (!value || *value < low || *value > high)
+        refuse(option, "a count from " + std::to_string(low) + " to " + most + " such as 1000000, 1e6, 1M or 2^20",
                text);
     return *value;
 }
@@ -161,10 +130,8 @@ std::uint64_t read_count(std::string_view option, std::string_view text, std::ui
 double read_real(std::string_view option, std::string_view text, double low, double high)
 {
     const std::optional<double> value = number_value(text);
-    if (!value)
-        refuse(option, "a number such as 0.5, 1e-3 or 2M", text);
-    if (*value < low || *value > high)
-        refuse(option, format("a number from %g to %g", low, high), text);
+    if (!value || *value < low || *value > high)
+        refuse(option, format("a number from %g to %g such as 0.5, 1e-3 or 2M", low, high), text);
     return *value;
 }
 
@@ -188,7 +155,10 @@ double read_share(std::string_view option, std::string_view text)
 
 std::uint64_t read_bytes(std::string_view option, std::string_view text)
 {
-    const std::optional<double> bytes = value_with_unit(lower_case(text), units_of_memory);
+    std::string size = lower_case(text);
+    if (!size.empty() && size.back() == 'b')
+        size.pop_back();
+    const std::optional<double> bytes = value_with_unit(size, units_of_memory);
     if (!bytes || *bytes < 1.0 || *bytes > 0x1p63)
         refuse(option, "a size such as 512MB, 2GB or 1GiB", text);
     return static_cast<std::uint64_t>(*bytes);
@@ -227,11 +197,11 @@ PixelSize read_pixel_size(std::string_view option, std::string_view text, int la
     const std::vector<std::string_view> parts = split(text, 'x');
     const std::optional<std::uint64_t> width = count_value(parts.front());
     const std::optional<std::uint64_t> height = count_value(parts.back());
-    if (parts.size() != 2 || !width || !height)
-        refuse(option, "a width and height in pixels such as 800x600", text);
-    const auto fits = [&](std::uint64_t side) { return side >= 1 && side <= static_cast<std::uint64_t>(largest); };
-    if (!fits(*width) || !fits(*height))
-        refuse(option, "a width and a height from 1 to " + std::to_string(largest) + " pixels", text);
+    const auto fits = [&](const std::optional<std::uint64_t>& side) {
+        return side && *side >= 1 && *side <= static_cast<std::uint64_t>(largest);
+    };
+    if (parts.size() != 2 || !fits(width) || !fits(height))
+        refuse(option, "a width and height from 1 to " + std::to_string(largest) + " pixels such as 800x600", text);
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 

@@ -14,7 +14,8 @@ namespace multipath {
 
 constexpr std::uint64_t largest_count = std::uint64_t(1) << 63;
 
-/// A whole number within [low, high], exact up to 2^63. Throws UsageError for a number outside.
+/// A whole number within [low, high], exact up to 2^63 in digits and as a power of two. Throws UsageError for a number
+/// outside.
 std::uint64_t read_count(std::string_view option, std::string_view text, std::uint64_t low = 0,
                          std::uint64_t high = largest_count);
 
@@ -28,8 +29,8 @@ double read_positive(std::string_view option, std::string_view text);
 /// A share within [0, 1]: `1%` or `0.01`. A bare `1` is refused: it could mean 1 % or everything.
 double read_share(std::string_view option, std::string_view text);
 
-/// [bytes] A size, rounded down, 1 to 2^63: 512MB, 2GB, 1GiB, or a plain number of bytes; upper or lower case. MB is
-/// 10^6 bytes, MiB 2^20 bytes.
+/// [bytes] A size, rounded down, 1 to 2^63: 512MB, 2GB, 1GiB, or a plain number of bytes; upper or lower case, the B
+/// optional. MB is 10^6 bytes, MiB 2^20 bytes.
 std::uint64_t read_bytes(std::string_view option, std::string_view text);
 
 /// [s] A time above zero: 30s, 5m, 2h, 250ms, or a plain number of seconds.

@@ -75,7 +75,10 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          names_of(direct_choices)},
         {"denoise", 0, "WHETHER", "yes",
          "For reuse without a table of pairs: smooth the light of neighbouring patches within its noise.", false,
-         names_of(yes_or_no)}};
+         names_of(yes_or_no)},
+        {"important", 0, "WHAT", "",
+         "For reuse and jacobi: more rays for an object or material of this name, or for what the cameras see "
+         "(view)."}};
     if (with_reuse)
         group.options.insert(group.options.end(), for_reuse.begin(), for_reuse.end());
     return group;
@@ -83,24 +86,19 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
 
 OptionGroup solve_method_group()
 {
-    OptionGroup group = method_option_group(
+    return method_option_group(
         {"lines", 'n', "N", "auto",
          "Total number of lines, local and global; auto takes 2^20, or a power of two that gives each patch 24.", false,
          any_text, "tolerance time", true},
         true);
-    group.options.push_back({"important", 0, "WHAT", "",
-                             "For reuse and jacobi: more rays for an object or material of this name, or for what the "
-                             "cameras see (view)."});
-    return group;
 }
 
-SolveOptions read_settings(const CommandLine& line)
+SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
 {
     SolveOptions options;
-    const bool power_given = line.knows("power-per-line") && line.has("power-per-line");
-    if (power_given && line.has("ratio"))
+    if (line.has("power-per-line") && line.has("ratio"))
         throw UsageError("--power-per-line and --ratio exclude each other; expected one of them");
-    if (power_given)
+    if (line.has("power-per-line"))
         options.power_by_line = read_positive("--power-per-line", line.text("power-per-line"));
     if (line.text("threshold") != "auto")
         options.threshold = read_real("--threshold", line.text("threshold"));
@@ -120,12 +118,6 @@ SolveOptions read_settings(const CommandLine& line)
     if (line.has("memory"))
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
     options.threads = thread_count(line);
-    return options;
-}
-
-SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count)
-{
-    SolveOptions options = read_settings(line);
     options.method = method_named(line.text("method"));
     options.sequence = line.text("sequence");
     options.line_order = line.choice("line-order", line_order_choices).value;

@@ -11,20 +11,19 @@
 namespace multipath {
 
 /// The options of the method, for every command that solves or traces a run. `line_count`: the command's own option for
-/// the total number of lines. `with_reuse`: all methods are choices, `reuse` is the default, and --direct and --denoise
-/// are included. Without it, only methods whose lines `explain` can trace are choices, and `first-shot` is the default.
+/// the total number of lines. `with_reuse`: all methods are choices, `reuse` is the default, and --direct, --denoise
+/// and
+/// --important are included. Without it, only methods whose lines `explain` can trace are choices, and `first-shot` is
+/// the default.
 OptionGroup method_option_group(const Option& line_count, bool with_reuse);
 
-/// The options of the method for `solve`, with `reuse` and the options --lines and --important.
+/// The options of the method for `solve`, with `reuse` and --lines.
 OptionGroup solve_method_group();
 
 /// Reads --memory and the options of the method. `line_count`: name of the option for the total number of lines. The
 /// options that depend on the scene are left out: `--lines auto` is for settle_lines(), --important for the caller.
 /// Throws UsageError.
 SolveOptions read_solve_options(const CommandLine& line, std::string_view line_count);
-
-/// The same without method, sequence, pairing, line order, chords and number of lines. Throws UsageError.
-SolveOptions read_settings(const CommandLine& line);
 
 /// The number of lines that `--lines auto` takes for the scene, as text such as "2^21": the smallest power of two that
 /// is at least 2^20 and gives each patch at least 24 lines.

@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "image/automatic_camera.h"
 #include "image/camera_file.h"
@@ -192,26 +192,6 @@ PictureOptions with_camera(PictureOptions options, const Scene& scene, const std
         view = {view.name, camera.eye, camera.target, camera.field_of_view, view.up};
     }
     return options;
-}
-
-std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options)
-{
-    constexpr double tolerated = 0.9; // of the pixels
-    constexpr std::uint8_t black = 4; // of 255: pixels up to this look black
-    const RenderOptions render = preview_options(options.render);
-    const ScreenImage screen =
-        picture(scene, radiosity, camera_for(scene, options, options.views.front()), render, options.tone);
-    std::size_t dark = 0;
-    for (std::size_t i = 0; i < screen.bytes.size(); i += 3)
-        dark += std::max({screen.bytes[i], screen.bytes[i + 1], screen.bytes[i + 2]}) <= black ? 1 : 0;
-    const double share = static_cast<double>(3 * dark) / static_cast<double>(screen.bytes.size());
-    const bool has_light = std::any_of(radiosity.begin(), radiosity.end(), [](Rgb b) { return mean(b) > 0.0; });
-    if (share <= tolerated || !has_light)
-        return "";
-    return format(
-        "warning    %.0f %% of the picture is black; expected a view of lit surfaces (--eye and --target), or "
-        "a higher --exposure\n",
-        100.0 * share);
 }
 
 } // namespace multipath

@@ -82,8 +82,4 @@ Camera camera_for(const Scene& scene, const PictureOptions& options, const View&
 /// The options with complete views. Parts that the user did not give are chosen for the radiosity [W/m^2] per patch.
 PictureOptions with_camera(PictureOptions options, const Scene& scene, const std::vector<Rgb>& radiosity);
 
-/// A warning of one line if more than 90 % of the picture is black although the scene has
-/// light. Otherwise the text is empty. `radiosity`: [W/m^2] per patch, as pictures show it.
-std::string black_picture_warning(const Scene& scene, const std::vector<Rgb>& radiosity, const PictureOptions& options);
-
 } // namespace multipath

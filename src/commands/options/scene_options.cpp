@@ -4,7 +4,7 @@
 #include "base/platform/files.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"

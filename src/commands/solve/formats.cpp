@@ -235,13 +235,13 @@ private:
 namespace {
 
 constexpr std::array known_formats = {
-    OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)", true,
+    OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)",
                  [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped", false,
+    OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped",
                  [](SolvedScene& s) { return pfm_bytes(render(s.scene, s.shown, s.camera(), s.options.render)); }},
-    OutputFormat{".png", FormatKind::picture, "picture", true,
+    OutputFormat{".png", FormatKind::picture, "picture",
                  [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
-    OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch", false,
+    OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch",
                  [](SolvedScene& s) {
                      if (s.options.grid) {
                          std::vector<std::string> comments = s.comments;
@@ -252,32 +252,30 @@ constexpr std::array known_formats = {
                                         s.options.render.threads);
                  }},
     OutputFormat{
-        ".ply", FormatKind::mesh, "mesh with the light as colours and as numbers", false,
+        ".ply", FormatKind::mesh, "mesh with the light as colours and as numbers",
         [](SolvedScene& s) { return ply_bytes(s.mesh(), s.solution.radiosity, s.mesh_colour(), s.mesh_comments()); }},
-    OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender", false,
+    OutputFormat{".glb", FormatKind::mesh, "the same, for three.js and Blender",
                  [](SolvedScene& s) {
                      return glb_bytes(s.plain_mesh(), s.scene, s.linear_colour_scale(), s.mesh_cameras(), s.comments,
                                       texture_files(s.scene), s.camera().up);
                  }},
-    OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab", false,
+    OutputFormat{".obj", FormatKind::mesh, "the same, for MeshLab",
                  [](SolvedScene& s) { return obj_text(s.mesh(), s.scene, s.mesh_colour(), s.mesh_comments()); }},
-    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture", false,
+    OutputFormat{"_lightmap.glb", FormatKind::mesh, "the undivided surfaces with the light in one texture",
                  [](SolvedScene& s) {
                      return lightmap_glb(s.scene, s.lightmap(), s.lightmap_png(), s.linear_colour_scale(),
                                          s.mesh_cameras(), s.comments, s.camera().up);
                  }},
-    OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser", false,
+    OutputFormat{".html", FormatKind::page, "page to walk through the room in a browser",
                  [](SolvedScene& s) { return s.page(); }},
-    OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it", false,
+    OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it",
                  [](SolvedScene& s) { return s.state; }}};
 
-/// The extensions of all formats, or of those that are written by default.
-std::vector<std::string_view> extensions_of_formats(bool by_default_only = false)
+std::vector<std::string_view> extensions_of_formats()
 {
     std::vector<std::string_view> extensions;
     for (const OutputFormat& known : known_formats)
-        if (known.by_default || !by_default_only)
-            extensions.push_back(known.extension);
+        extensions.push_back(known.extension);
     return extensions;
 }
 
@@ -317,8 +315,8 @@ OptionGroup solution_output_group()
     return {"Output",
             {{"output", 'o', "FILE", "",
               "Output file, by its extension " + join(extensions_of_formats()) +
-                  "; see 'help outputs'. '-' writes the first of these to standard output. By default a " +
-                  join(extensions_of_formats(true), " and a ") + " with the name of the input.",
+                  "; see 'help outputs'. '-' writes the first of these to standard output. By default a .ppm and a "
+                  ".png with the name of the input.",
               true},
              {"json", 0, "", "", "Print a machine-readable summary on standard output."},
              {"quiet", 'q', "", "", "Print only errors on stderr."},
@@ -327,10 +325,8 @@ OptionGroup solution_output_group()
 
 std::vector<std::string> default_outputs(const std::string& path)
 {
-    std::vector<std::string> outputs;
-    for (const std::string_view extension : extensions_of_formats(true))
-        outputs.push_back(std::filesystem::path(path).stem().string() + std::string(extension));
-    return outputs;
+    const std::string name = std::filesystem::path(path).stem().string();
+    return {name + ".ppm", name + ".png"};
 }
 
 std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const std::vector<std::string>& paths,
@@ -383,8 +379,6 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, con
 {
     const bool has_view = any_output(outputs, FormatKind::mesh, FormatKind::page);
     SolvedScene solved(job, scene, solution, state, has_view);
-    if (!job.quiet && has_view && solved.options.shown.is_room())
-        print_note(black_picture_warning(scene, solved.shown, solved.options));
     std::multimap<FormatKind, PlannedOutput*> quickest_first;
     for (PlannedOutput& output : outputs)
         quickest_first.emplace(format_with(output.extension).kind, &output);

@@ -27,7 +27,6 @@ struct OutputFormat
     std::string_view extension; ///< ".ppm" or "_lightmap.glb", see output_extension()
     FormatKind kind;
     std::string_view summary;           ///< a few words
-    bool by_default;                    ///< true: written if no output is named
     std::string (*bytes)(SolvedScene&); ///< makes the content of a file
 };
 

@@ -156,11 +156,6 @@ SavedRun read_saved_run(const std::string& path)
     return read_saved_run(std::make_unique<StateReader>(path));
 }
 
-bool is_finished(const SavedRun& saved)
-{
-    return saved.parts == std::vector<std::string>{RunRecord::part};
-}
-
 Solution finished_solution(const SavedRun& saved, const Scene& scene)
 {
     RunRecord record;
@@ -246,11 +241,6 @@ PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene&
     PatchTable table;
     table.path = path;
     table.comments = provenance(command_line_of(saved.description, {}), scene);
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        table.surfaces.push_back(scene.surface_of(i));
-        table.materials.push_back(scene.material_of(i).name);
-        table.centres.push_back(scene.patch(i).shape.centre());
-    }
     table.areas = scene.weights();
     table.radiosity = solution.radiosity;
     table.standard_error = solution.standard_error;

@@ -71,9 +71,6 @@ struct SavedRun
 SavedRun read_saved_run(const std::string& path);
 SavedRun read_saved_run(std::unique_ptr<StateReader> arrays);
 
-/// True if the state was saved at the end of its run: no part inside RunRecord::part was in progress.
-bool is_finished(const SavedRun& saved);
-
 /// The solution of a saved run so far: the average of its finished pieces (runs over successive lines), or the last
 /// finished round of a run in rounds (see RunRecord). Throws InputError if no piece or round is finished.
 Solution finished_solution(const SavedRun& saved, const Scene& scene);
@@ -125,7 +122,7 @@ private:
 /// its extension.
 struct ResultFile
 {
-    PatchTable table;                   ///< for a state, the table that `solve -o FILE.csv` would have written
+    PatchTable table;                   ///< for a state, without surfaces, materials and centres
     std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
 
     /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run

@@ -5,7 +5,7 @@
 
 #include "base/file_bytes.h"
 #include "base/platform/process.h"
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "scene/scratch_folder.h"
 
 #include <doctest/doctest.h>

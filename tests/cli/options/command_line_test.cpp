@@ -1,8 +1,6 @@
 #include "base/errors.h"
 #include "cli/options/command_line.h"
 
-#include "cli/options/choices.h"
-
 #include <doctest/doctest.h>
 
 namespace command_line_test {
@@ -136,6 +134,15 @@ TEST_CASE("the number of operands is what the table says")
     const CommandTable points = {"points", "", {}, {}};
     CHECK(CommandLine(points, {}).operands().empty());
     CHECK_THROWS_WITH_AS(CommandLine(points, {"x"}), "unexpected argument 'x': 'points' takes none", UsageError);
+}
+
+TEST_CASE("a word outside the choices is refused with all of them")
+{
+    CHECK_NOTHROW(require_choice("--method", "local", {"local", "global"}));
+    CHECK_THROWS_WITH_AS(require_choice("--method", "gobal", {"local", "global"}),
+                         "--method: expected one of local, global, got 'gobal'", UsageError);
+    CHECK_THROWS_WITH_AS(require_choice("--method", "photons", {"local", "global"}),
+                         "--method: expected one of local, global, got 'photons'", UsageError);
 }
 
 } // namespace command_line_test

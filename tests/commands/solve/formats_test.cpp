@@ -5,7 +5,7 @@
 #include "commands/solve/solve_job.h"
 #include "radiosity/run/solve.h"
 
-#include "cli/options/choices.h"
+#include "cli/options/command_line.h"
 #include "scene/scratch_folder.h"
 #include "test_scenes.h"
 
