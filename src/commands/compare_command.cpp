@@ -162,11 +162,6 @@ JsonObject report_json(const Comparison& c)
 
 // Results with different patches of the same surfaces are compared by what smooth shading shows at points.
 
-bool have_other_patches(const ResultFile& a, const ResultFile& b)
-{
-    return a.scene && b.scene && a.table.areas != b.table.areas && have_same_surfaces(*a.scene, *b.scene);
-}
-
 /// The report as text. `alone`: there is no B.
 std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownError& e, bool alone)
 {
@@ -216,7 +211,7 @@ int run_compare(const CommandLine& line)
     const PatchTable& b = reference.table;
     const bool json = line.has("json");
     double root = 0.0;
-    if (alone || have_other_patches(result, reference)) {
+    if (alone || (result.scene && reference.has_other_patches(*result.scene))) {
         constexpr int rays = 512; // for each of two estimates at a point
         const int threads = thread_count(line);
         const Truth truth = gathered_truth(*reference.scene, b.radiosity, rays, threads);

@@ -120,7 +120,7 @@ std::string outputs_text()
         return two_columns("  " + std::string(extension), summary, 10);
     };
     for (const OutputFormat& format : output_formats())
-        text += row(format.extension, format.summary);
+        text += row(format.name, format.summary);
     return text +
            "\nsolve, render and merge write these formats. selftest writes .csv files, study\n"
            "and points .csv and .svg files, explain .svg files:\n\n" +

@@ -1,6 +1,5 @@
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/files/standard_streams.h"
 #include "cli/options/command_line.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
@@ -21,9 +20,6 @@ int run_render(const CommandLine& line)
     SavedJob wanted = open_saved_job(line, saved.description, line.operands()[0]);
     const Solution solution = finished_solution(saved, wanted.scene);
     write_outputs(wanted.outputs, wanted.job, wanted.scene, solution, "");
-    if (!wanted.job.quiet)
-        for (const PlannedOutput& output : wanted.outputs)
-            print_note(format("wrote      %s\n", output.file.name().c_str()));
     return 0;
 }
 

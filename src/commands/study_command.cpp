@@ -108,8 +108,8 @@ CommandLine solve_line(const CommandLine& line, std::vector<std::string> words, 
 /// Throws UsageError for a name that is none.
 CurvePlan curve_plan(const CommandLine& line, const CurveKind& wanted)
 {
-    std::vector<std::string> words = {"--method",  wanted.method,  "--sequence",   wanted.sequence,
-                                      "--pairing", wanted.pairing, "--line-order", wanted.line_order};
+    std::vector<std::string> words = {"--method=" + wanted.method, "--sequence=" + wanted.sequence,
+                                      "--pairing=" + wanted.pairing, "--line-order=" + wanted.line_order};
     if (!wanted.chords.empty())
         words.push_back("--chords=" + wanted.chords);
     std::vector<Option> options = run_options();
@@ -200,11 +200,6 @@ std::string cache_folder(const CommandLine& line, const std::vector<std::string>
     return folder;
 }
 
-std::string checksum_of(const std::string& bytes)
-{
-    return format("%08x", crc32(bytes));
-}
-
 /// The command `solve` whose result is the reference, as a user would type it. Its table records it, so that it can be
 /// reproduced.
 CommandLine reference_command(const CommandLine& line, std::uint64_t longest)
@@ -290,13 +285,13 @@ Reference study_reference(const CommandLine& line, const Scene& scene, const Stu
 {
     if (line.has("reference")) {
         ResultFile given(line.text("reference"));
-        if (given.scene && given.table.areas != scene.weights() && have_same_surfaces(*given.scene, scene))
+        if (given.has_other_patches(scene))
             return total_reference(std::move(given), scene, thread_count(line));
         return reference_of(given.table, scene);
     }
     const CommandLine command = reference_command(line, plan.line_counts.back());
     std::vector<std::string> facts = provenance(command, scene);
-    const std::string path = cache + "/reference-" + checksum_of(join(facts, "; ")) + ".csv";
+    const std::string path = cache + format("/reference-%08x.csv", crc32(join(facts, "; ")));
     facts.push_back("sources: " + sources_checksum()); // a reference by a program from others is not used
     std::optional<OutputFile> file;
     if (!cache.empty()) {
@@ -326,8 +321,9 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
                                                  "to",      "replicates", "reference", "against",     "with"};
     const std::vector<Rgb>& radiosity = reference.radiosity;
     const std::string bytes(reinterpret_cast<const char*>(radiosity.data()), radiosity.size() * sizeof(Rgb));
-    const std::string shared = join(provenance(line, scene, not_shared), "; ") + "; reference " + checksum_of(bytes);
-    return Journal(cache + "/runs-" + checksum_of(shared) + ".txt", shared + "; sources: " + sources_checksum());
+    const std::string shared =
+        join(provenance(line, scene, not_shared), "; ") + format("; reference %08x", crc32(bytes));
+    return Journal(cache + format("/runs-%08x.txt", crc32(shared)), shared + "; sources: " + sources_checksum());
 }
 
 /// The curves of other programs, each called as its file without folder and extension.

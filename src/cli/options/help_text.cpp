@@ -87,8 +87,10 @@ std::string program_help(const std::vector<CommandTable>& tables, const std::vec
     for (const CommandTable& table : tables)
         commands += two_columns("  " + std::string(table.name), table.summary, 12);
     return program_summary + "\n\nusage: multipath COMMAND [OPTIONS] ARGUMENTS\n\n" + commands +
-           "\n'multipath COMMAND --help' explains a command; 'multipath --version' prints the version.\n" +
-           wrapped_text("'multipath help TOPIC' explains a topic: " + join(names_of(topics)) + ".", 0, 0, page_width) +
+           wrapped_text("\n'multipath COMMAND --help' explains a command, 'multipath --version' prints the version. "
+                        "'multipath help TOPIC' explains a topic: " +
+                            join(names_of(topics)) + ".",
+                        0, 0, page_width) +
            "For a first picture: multipath solve scenes/5cubes.obj\n";
 }
 

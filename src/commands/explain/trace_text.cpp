@@ -11,18 +11,10 @@ namespace multipath {
 namespace {
 
 constexpr std::size_t text_width = 110;
-constexpr std::size_t widest_name = 41;
 
-/// The text cut or padded to a number of columns.
-std::string fitted(const std::string& text, std::size_t width)
+std::string padded(const std::string& text, std::size_t width)
 {
-    std::string cut = text;
-    if (column_count(text) > width) {
-        while (column_count(cut) > width - 2)
-            cut.pop_back();
-        cut += "..";
-    }
-    return cut + std::string(width - std::min(width, column_count(cut)), ' ');
+    return text + std::string(width - std::min(width, column_count(text)), ' ');
 }
 
 std::string patch_number(std::uint32_t patch)
@@ -36,12 +28,11 @@ std::string crossings_table(const Scene& scene, const std::vector<Crossing>& cro
     std::size_t name_width = 7;
     for (const Crossing& crossing : crossings)
         name_width = std::max(name_width, column_count(surface_name(scene, crossing.hit.surface)));
-    name_width = std::min(name_width, widest_name);
-    std::string text = "   no       t  " + fitted("surface", name_width) + "  side   arrives at  leaves  point\n";
+    std::string text = "   no       t  " + padded("surface", name_width) + "  side   arrives at  leaves  point\n";
     for (std::size_t k = 0; k < crossings.size(); ++k) {
         const Crossing& crossing = crossings[k];
         text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, crossing.hit.t,
-                       fitted(surface_name(scene, crossing.hit.surface), name_width).c_str(),
+                       padded(surface_name(scene, crossing.hit.surface), name_width).c_str(),
                        crossing.hit.front ? "front" : "back", patch_number(crossing.patches.arrives_at).c_str(),
                        patch_number(crossing.patches.leaves).c_str(), point_text(crossing.point).c_str());
     }

@@ -148,10 +148,6 @@ PictureOptions read_picture_options(const CommandLine& line, int threads)
         view.eye = read_vec3("--eye", line.text("eye"));
     if (line.has("target"))
         view.target = read_vec3("--target", line.text("target"));
-    if (view.eye && view.target && *view.eye == *view.target)
-        throw UsageError("--target: the camera stands there (--eye); expected another point to look at");
-    if (view.eye && view.target && length(cross(*view.target - *view.eye, view.up)) == 0.0)
-        throw UsageError("--up: the camera looks along it; expected another direction");
     if (line.has("fov"))
         view.field_of_view = read_real("--fov", line.text("fov"), 1.0, 179.0);
     if (line.has("grid"))

@@ -39,13 +39,6 @@ constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"l
 constexpr std::array<std::string_view, 8> remedy_options = {
     "patch-size", "two-sided", "flip", "lamp", "sky", "sun", "reflectance-limit", "emission-from"};
 
-/// Number of cells from which adaptive refinement begins: one for each surface, and a third of the others wanted.
-std::uint64_t coarse_cells(const SurfaceList& surfaces, double wanted)
-{
-    const auto whole = static_cast<double>(surfaces.size());
-    return static_cast<std::uint64_t>(std::max({1.0, whole, whole + (wanted - whole) / 3.0}));
-}
-
 } // namespace
 
 OptionGroup scene_option_group()
@@ -204,13 +197,14 @@ Scene read_scene(const CommandLine& line, int threads)
         file.counts +=
             "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) + " where partitions stand";
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
-    std::uint64_t cells = 0; // 0: by a patch size
-    if (line.has("patches"))
-        cells = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(wanted) / sides));
-    else if (const std::uint64_t adaptive = adaptive_patches(line, file.surfaces); adaptive > 0)
-        cells = coarse_cells(file.surfaces, static_cast<double>(adaptive) / sides);
+    const auto surfaces = static_cast<double>(file.surfaces.size());
+    const auto adaptive = static_cast<double>(adaptive_patches(line, file.surfaces)) / sides;
+    double cells = static_cast<double>(wanted) / sides; // 0: by a patch size
+    if (wanted == 0 && adaptive > 0.0) // refinement begins with a third of the patches that are not whole surfaces
+        cells = std::max(surfaces, surfaces + (adaptive - surfaces) / 3.0);
+    const auto cell_limit = static_cast<std::uint64_t>(std::max(1.0, cells));
     const double patch_size = given_size > 0.0 ? given_size
-                              : cells > 0      ? patch_size_for_count(file.surfaces, cells)
+                              : cells > 0.0    ? patch_size_for_count(file.surfaces, cell_limit)
                                                : default_patch_size(file.surfaces);
     file.sun = sun;
     file.photometric = line.choice("unit-light", light_choices).value;

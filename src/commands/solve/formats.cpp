@@ -271,26 +271,9 @@ constexpr std::array known_formats = {
     OutputFormat{".state", FormatKind::state, "the whole run, to resume, merge or render it",
                  [](SolvedScene& s) { return s.state; }}};
 
-std::vector<std::string_view> extensions_of_formats()
+OutputFormat format_with(std::string_view extension)
 {
-    std::vector<std::string_view> extensions;
-    for (const OutputFormat& known : known_formats)
-        extensions.push_back(known.extension);
-    return extensions;
-}
-
-const OutputFormat& format_with(std::string_view extension)
-{
-    return *std::find_if(known_formats.begin(), known_formats.end(),
-                         [&](const OutputFormat& known) { return known.extension == extension; });
-}
-
-bool any_output(const std::vector<PlannedOutput>& outputs, FormatKind least, FormatKind most)
-{
-    return std::any_of(outputs.begin(), outputs.end(), [&](const PlannedOutput& output) {
-        const FormatKind kind = format_with(output.extension).kind;
-        return kind >= least && kind <= most;
-    });
+    return row_named(known_formats, "--output", extension);
 }
 
 } // namespace
@@ -302,19 +285,20 @@ std::vector<OutputFormat> output_formats()
 
 FormatKind kind_of(const std::string& path)
 {
-    return format_with(output_extension(path, extensions_of_formats())).kind;
+    return format_with(output_extension(path, names_of(known_formats))).kind;
 }
 
 bool has_kind(const std::vector<PlannedOutput>& outputs, FormatKind kind)
 {
-    return any_output(outputs, kind, kind);
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [&](const PlannedOutput& output) { return format_with(output.extension).kind == kind; });
 }
 
 OptionGroup solution_output_group()
 {
     return {"Output",
             {{"output", 'o', "FILE", "",
-              "Output file, by its extension " + join(extensions_of_formats()) +
+              "Output file, by its extension " + join(names_of(known_formats)) +
                   "; see 'help outputs'. '-' writes the first of these to standard output. By default a .ppm and a "
                   ".png with the name of the input.",
               true},
@@ -343,12 +327,12 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
         if (several && path == "-")
             throw UsageError("--camera: standard output takes one picture, not one for each view; expected -o FILE");
         for (std::size_t k = 0; k < (several ? views.size() : 1); ++k) {
-            const std::size_t end = path.size() - output_extension(path, extensions_of_formats()).size();
+            const std::size_t end = path.size() - output_extension(path, names_of(known_formats)).size();
             names.push_back(several ? path.substr(0, end) + "-" + views[k].name + path.substr(end) : path);
             shown.push_back(k);
         }
     }
-    std::vector<PlannedOutput> outputs = open_outputs(names, inputs, extensions_of_formats());
+    std::vector<PlannedOutput> outputs = open_outputs(names, inputs, names_of(known_formats));
     for (std::size_t i = 0; i < outputs.size(); ++i)
         outputs[i].view = shown[i];
     const RenderOptions& render = pictures.render;
@@ -377,7 +361,8 @@ std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs,
 void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
                    const Solution& solution, const std::string& state)
 {
-    const bool has_view = any_output(outputs, FormatKind::mesh, FormatKind::page);
+    const bool has_view = has_kind(outputs, FormatKind::mesh) || has_kind(outputs, FormatKind::picture) ||
+                          has_kind(outputs, FormatKind::page);
     SolvedScene solved(job, scene, solution, state, has_view);
     std::multimap<FormatKind, PlannedOutput*> quickest_first;
     for (PlannedOutput& output : outputs)
@@ -388,8 +373,11 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, con
         output->file.complete();
     }
     commit(outputs);
-    if (!job.quiet)
-        print_note(solved.grid_note() + moved_coordinates_warning(outputs, scene));
+    if (job.quiet)
+        return;
+    print_note(solved.grid_note() + moved_coordinates_warning(outputs, scene));
+    for (const PlannedOutput& output : outputs)
+        print_note("wrote      " + output.file.name() + "\n");
 }
 
 } // namespace multipath

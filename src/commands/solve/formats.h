@@ -24,7 +24,7 @@ enum class FormatKind { state, table, mesh, picture, page };
 /// A format: one row of the table in formats.cpp. A new format is a function in `image` or `export` and a row.
 struct OutputFormat
 {
-    std::string_view extension; ///< ".ppm" or "_lightmap.glb", see output_extension()
+    std::string_view name; ///< extension, ".ppm" or "_lightmap.glb", see output_extension()
     FormatKind kind;
     std::string_view summary;           ///< a few words
     std::string (*bytes)(SolvedScene&); ///< makes the content of a file
@@ -53,10 +53,10 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
                                                  const std::vector<std::string>& inputs,
                                                  const PictureOptions& pictures);
 
-/// Writes the solution into every output in its format and commits all. Prints, unless the job is quiet, the statistics
-/// of a grid that was written and warnings of the outputs. `state`: the bytes of a state; may be empty if there is none
-/// among the outputs. Throws OutputError. Throws InputError if a format cannot hold the result, and SettingsError for a
-/// grid that has no points or more than a million.
+/// Writes the solution into every output in its format and commits all. Prints, unless the job is quiet, the names of
+/// the files, the statistics of a grid that was written, and warnings. `state`: the bytes of a state; may be empty if
+/// there is none among the outputs. Throws OutputError. Throws InputError if a format cannot hold the result, and
+/// SettingsError for a grid that has no points or more than a million.
 void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
                    const Solution& solution, const std::string& state);
 

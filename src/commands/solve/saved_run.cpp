@@ -233,22 +233,6 @@ void StateKeeper::finish_now()
     keep(file_is_up_to_date ? "" : options_.path);
 }
 
-namespace {
-
-PatchTable table_of(const std::string& path, const SavedRun& saved, const Scene& scene)
-{
-    const Solution solution = finished_solution(saved, scene);
-    PatchTable table;
-    table.path = path;
-    table.comments = provenance(command_line_of(saved.description, {}), scene);
-    table.areas = scene.weights();
-    table.radiosity = solution.radiosity;
-    table.standard_error = solution.standard_error;
-    return table;
-}
-
-} // namespace
-
 ResultFile::ResultFile(const std::string& path, const PatchTable* beside)
 {
     if (!is_state_file(path)) {
@@ -257,7 +241,12 @@ ResultFile::ResultFile(const std::string& path, const PatchTable* beside)
     }
     const SavedRun saved = read_saved_run(path);
     scene = std::make_unique<const Scene>(restored(saved.description.scene));
-    table = table_of(path, saved, *scene);
+    Solution solution = finished_solution(saved, *scene);
+    table.path = path;
+    table.comments = provenance(command_line_of(saved.description, {}), *scene);
+    table.areas = scene->weights();
+    table.radiosity = std::move(solution.radiosity);
+    table.standard_error = std::move(solution.standard_error);
 }
 
 void require_same_patches(const PatchTable& table, const std::vector<double>& areas, const std::string& owner)
@@ -270,11 +259,6 @@ void require_same_patches(const PatchTable& table, const std::vector<double>& ar
             throw InputError(
                 table.path +
                 format(": patch %zu has %.12g m^2, expected %.12g m^2 as in ", i, table.areas[i], areas[i]) + owner);
-}
-
-bool have_same_surfaces(const Scene& a, const Scene& b)
-{
-    return a.two_sided() == b.two_sided() && a.surfaces() == b.surfaces();
 }
 
 } // namespace multipath

@@ -128,13 +128,17 @@ struct ResultFile
     /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run
     /// of which no piece or round is finished (see finished_solution).
     explicit ResultFile(const std::string& path, const PatchTable* beside = nullptr);
+
+    /// True for a state of the same surfaces, with the same sides, but with other patches than `other`.
+    bool has_other_patches(const Scene& other) const
+    {
+        return scene && table.areas != other.weights() && scene->two_sided() == other.two_sided() &&
+               scene->surfaces() == other.surfaces();
+    }
 };
 
 /// Throws InputError if the patches of the table differ from those of these areas [m^2] in number or area. `owner`:
 /// what has the areas, for the message.
 void require_same_patches(const PatchTable& table, const std::vector<double>& areas, const std::string& owner);
-
-/// True if two scenes have the same surfaces, and both or neither are two-sided; their patches may differ.
-bool have_same_surfaces(const Scene& a, const Scene& b);
 
 } // namespace multipath

@@ -73,15 +73,6 @@ void report_interruption(const SolveJob& job, const Solution& solution, const St
                                             : ("; --resume continues from " + keeper.path()).c_str()));
 }
 
-/// Reports the end of a shard. Returns the exit code.
-int report_shard(const SolveJob& job, const StateKeeper& keeper)
-{
-    if (!job.quiet)
-        print_note(format("%s; 'multipath merge' adds the shards up\n",
-                          keeper.published() ? "this shard is done" : "interrupted; --resume continues this shard"));
-    return keeper.published() ? 0 : exit_interrupted;
-}
-
 } // namespace
 
 SolveJob read_solve_job(const CommandLine& line)
@@ -133,7 +124,11 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && shard.of > 1) {
         write_outputs(outputs, job, scene, solution, keeper.last_bytes());
-        return report_shard(job, keeper);
+        if (!job.quiet)
+            print_note(
+                format("%s; 'multipath merge' adds the shards up\n",
+                       keeper.published() ? "this shard is done" : "interrupted; --resume continues this shard"));
+        return keeper.published() ? exit_done : exit_interrupted;
     }
     if (shard.of > 1 && job.options.method->shards == Shards::added)
         throw InputError("no work is left for shards; expected the same command without --shard, which does the rest");
@@ -162,8 +157,6 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         print_note(summary_text(summary));
         if (job.line.has("verbose"))
             print_note(stages_text(solution));
-        for (const PlannedOutput& output : outputs)
-            print_note(format("wrote      %s\n", output.file.name().c_str()));
     }
     return keeper.stopped() ? exit_interrupted : 0;
 }

@@ -38,11 +38,6 @@ double lines_per_second(const SolveSummary& s)
     return s.seconds_trace > 0.0 && s.all_at_once ? lines / s.seconds_trace : 0.0;
 }
 
-std::vector<double> channels(Rgb c)
-{
-    return {c.r, c.g, c.b};
-}
-
 } // namespace
 
 std::optional<double> SolveSummary::error() const
@@ -141,6 +136,8 @@ std::string stages_text(const Solution& solution)
 JsonObject summary_json(const SolveSummary& s)
 {
     const PowerBalance& balance = s.solution.balance;
+    const Rgb source = s.scene.source_power();
+    const Rgb b = mean_radiosity(s);
     JsonObject json;
     json.text("scene", s.scene.path());
     json.text("scene_hash", format("%016llx", static_cast<unsigned long long>(s.scene.hash())));
@@ -149,8 +146,8 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("patch_size", s.scene.patch_size());
     json.number("area_m2", s.scene.own_area());
     json.number("average_reflectance", mean_reflectance(s.scene));
-    json.number("source_power_w", mean(s.scene.source_power()));
-    json.numbers("source_power_rgb_w", channels(s.scene.source_power()));
+    json.number("source_power_w", mean(source));
+    json.numbers("source_power_rgb_w", {source.r, source.g, source.b});
     json.text("unit", light_units(s.scene.file()).per_area);
     json.text("method", std::string(s.options.method->name));
     json.text("sequence", s.sequence);
@@ -161,8 +158,8 @@ JsonObject summary_json(const SolveSummary& s)
     json.count("local_lines", s.solution.local_lines);
     json.count("global_lines", s.solution.global_lines);
     json.count("global_lines_cast", s.solution.global_lines_cast);
-    json.number("mean_radiosity", mean(mean_radiosity(s)));
-    json.numbers("mean_radiosity_rgb", channels(mean_radiosity(s)));
+    json.number("mean_radiosity", mean(b));
+    json.numbers("mean_radiosity_rgb", {b.r, b.g, b.b});
     json.number("emitted_power_w", mean(balance.emitted));
     json.number("emitted_power_error_w", balance.emitted_error);
     json.number("absorbed_power_w", mean(balance.absorbed));

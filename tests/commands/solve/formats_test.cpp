@@ -54,19 +54,19 @@ TEST_CASE("every format has an extension and bytes of its own, which are the sam
     std::set<std::string_view> extensions;
     std::set<std::string> all_bytes;
     for (const OutputFormat& format : output_formats()) {
-        CAPTURE(std::string(format.extension));
-        CHECK(extensions.insert(format.extension).second);
-        const std::string bytes = room.bytes(format.extension);
+        CAPTURE(std::string(format.name));
+        CHECK(extensions.insert(format.name).second);
+        const std::string bytes = room.bytes(format.name);
         CHECK_FALSE(bytes.empty());
         CHECK(all_bytes.insert(bytes).second);
-        CHECK(room.bytes(format.extension) == bytes);
+        CHECK(room.bytes(format.name) == bytes);
     }
 }
 
 TEST_CASE("a file's extension in upper or lower case tells its kind, and the refusal of another one lists them all")
 {
     for (const OutputFormat& format : output_formats())
-        CHECK(kind_of("a folder/room" + std::string(format.extension)) == format.kind);
+        CHECK(kind_of("a folder/room" + std::string(format.name)) == format.kind);
     CHECK(kind_of("ROOM.PLY") == FormatKind::mesh);
     CHECK(kind_of("-") == output_formats().front().kind);
     std::string message;
@@ -76,13 +76,13 @@ TEST_CASE("a file's extension in upper or lower case tells its kind, and the ref
         message = error.what();
     }
     for (const OutputFormat& format : output_formats())
-        CHECK(message.find(format.extension) != std::string::npos);
+        CHECK(message.find(format.name) != std::string::npos);
 }
 
 TEST_CASE("the default outputs have the name of the input, wherever that is, and the first format is among them")
 {
     const std::vector<std::string> outputs = default_outputs("../rooms/a.room.obj");
-    CHECK(outputs.front() == "a.room" + std::string(output_formats().front().extension));
+    CHECK(outputs.front() == "a.room" + std::string(output_formats().front().name));
     CHECK(default_outputs("room").size() == outputs.size());
 }
 
