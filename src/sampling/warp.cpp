@@ -7,23 +7,6 @@
 
 namespace multipath {
 
-Vec3 square_to_uniform_sphere(double a, double b)
-{
-    const double z = 1.0 - 2.0 * a;
-    const double radius = 2.0 * std::sqrt(a * (1.0 - a)); // = sqrt(1 - z^2) without its cancellation
-    const SinCos angle = sin_cos_of_turns(b);
-    return {radius * angle.cos, radius * angle.sin, z};
-}
-
-Vec3 square_to_cosine_hemisphere(double a, double b)
-{
-    // Malley's method: a uniform point of the unit disc, projected up to the hemisphere, has a cosine-distributed
-    // direction.
-    const double radius = std::sqrt(a);
-    const SinCos angle = sin_cos_of_turns(b);
-    return {radius * angle.cos, radius * angle.sin, std::sqrt(1.0 - a)};
-}
-
 SurfacePoint square_to_uniform_triangle(double a, double b)
 {
     const double width =

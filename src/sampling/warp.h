@@ -4,16 +4,29 @@
 #include "geometry/surface.h"
 #include "geometry/vec3.h"
 
+#include <cmath>
+
 namespace multipath {
 
 // Maps of uniform points (a, b) of the unit square [0, 1)^2 to points and directions of a given density.
 
 /// Uniform point of the unit sphere, density 1 / (4 pi) per solid angle. By Archimedes' theorem z is uniform.
-Vec3 square_to_uniform_sphere(double a, double b);
+inline Vec3 square_to_uniform_sphere(double a, double b)
+{
+    const double radius = 2.0 * std::sqrt(a * (1.0 - a)); // = sqrt(1 - z^2) without its cancellation
+    const SinCos angle = sin_cos_of_turns(b);
+    return {radius * angle.cos, radius * angle.sin, 1.0 - 2.0 * a};
+}
 
 /// Direction about +z with density cos(theta) / pi per solid angle, where theta is its angle with +z: the distribution
-/// of the light that a diffuse surface emits.
-Vec3 square_to_cosine_hemisphere(double a, double b);
+/// of the light that a diffuse surface emits. Malley's method: a uniform point of the unit disc, projected up to the
+/// hemisphere.
+inline Vec3 square_to_cosine_hemisphere(double a, double b)
+{
+    const double radius = std::sqrt(a);
+    const SinCos angle = sin_cos_of_turns(b);
+    return {radius * angle.cos, radius * angle.sin, std::sqrt(1.0 - a)};
+}
 
 /// Coordinates of a point of a surface: the point is the origin + u * edge_u + v * edge_v.
 struct SurfacePoint

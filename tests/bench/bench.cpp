@@ -71,18 +71,14 @@ void compare_maps(const Scene& scene)
     }
     for (const WarpKernel* kernel : available_warp_kernels())
         contestants.push_back({std::string("square to sphere, ") + kernel->name, "points", [=] {
-                                   SquarePoints square{};
-                                   WarpedPoints points{};
-                                   for (std::size_t k = 0; k < warp_block; ++k) {
-                                       square.a[k] = items[k][0];
-                                       square.b[k] = items[k][1];
-                                   }
+                                   std::vector<Item> square(items.begin(), items.begin() + warp_block);
+                                   std::vector<Vec3> points(warp_block);
                                    constexpr int calls = 4000;
                                    for (int k = 0; k < calls; ++k) {
-                                       kernel->uniform_sphere(square, warp_block, points);
-                                       square.a[k % 256] = 0.5 + 0.5 * points.z[k % 256];
+                                       kernel->uniform_sphere(square.data(), warp_block, 0, points.data());
+                                       square[k % 256][0] = 0.5 + 0.5 * points[k % 256].z;
                                    }
-                                   use(points.x[0]);
+                                   use(points[0].x);
                                    return static_cast<double>(calls * warp_block);
                                }});
     compete("mapping items to lines", contestants);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
-#include <memory>
 #include <string>
 
 namespace warp_kernel_test {
@@ -31,24 +30,22 @@ std::vector<double> interesting_numbers()
     return numbers;
 }
 
-using Map = void (*)(const SquarePoints&, std::size_t, WarpedPoints&);
-
 /// Does the kernel's map give for every pair of the numbers what the map for one point gives?
-bool agrees(Map map, Vec3 (*one)(double, double), const std::vector<double>& numbers)
+bool agrees(WarpKernel::Map map, Vec3 (*one)(double, double), const std::vector<double>& numbers)
 {
-    const auto square = std::make_unique<SquarePoints>();
-    const auto points = std::make_unique<WarpedPoints>();
+    std::vector<Item> items(numbers.size());
+    std::vector<Vec3> points(numbers.size());
     for (std::size_t shift = 0; shift < 40; ++shift)
-        for (std::size_t first = 0; first < numbers.size(); first += warp_block) {
-            const std::size_t count = std::min(warp_block, numbers.size() - first);
-            for (std::size_t k = 0; k < count; ++k) {
-                square->a[k] = numbers[first + k];
-                square->b[k] = numbers[(first + k + shift * 97) % numbers.size()];
+        for (const std::size_t first : {0u, 2u}) {
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                items[k][first] = numbers[k];
+                items[k][first + 1] = numbers[(k + shift * 97) % numbers.size()];
             }
-            map(*square, count, *points);
-            for (std::size_t k = 0; k < count; ++k) {
-                const Vec3 p = one(square->a[k], square->b[k]);
-                if (p.x != points->x[k] || p.y != points->y[k] || p.z != points->z[k])
+            for (std::size_t k = 0; k < numbers.size(); k += warp_block)
+                map(&items[k], std::min(warp_block, numbers.size() - k), first, &points[k]);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const Vec3 p = one(items[k][first], items[k][first + 1]);
+                if (p.x != points[k].x || p.y != points[k].y || p.z != points[k].z)
                     return false;
             }
         }

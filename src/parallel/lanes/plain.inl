@@ -127,44 +127,9 @@ KERNEL_CODE DoubleLanes operator+(DoubleLanes a, DoubleLanes b)
 {
     return {a.x + b.x};
 }
-KERNEL_CODE DoubleLanes operator-(DoubleLanes a, DoubleLanes b)
-{
-    return {a.x - b.x};
-}
 KERNEL_CODE DoubleLanes operator*(DoubleLanes a, DoubleLanes b)
 {
     return {a.x * b.x};
-}
-KERNEL_CODE DoubleLanes square_root(DoubleLanes a)
-{
-    return {std::sqrt(a.x)};
-}
-/// a < b ? yes : no
-KERNEL_CODE DoubleLanes choose_less(DoubleLanes a, DoubleLanes b, DoubleLanes yes, DoubleLanes no)
-{
-    return a.x < b.x ? yes : no;
-}
-KERNEL_CODE std::uint64_t bits_of(DoubleLanes a)
-{
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &a.x, sizeof bits);
-    return bits;
-}
-/// -0 where bit number `bit` (0: the lowest) of the binary representation of `a` is set, else 0.
-template <int bit>
-KERNEL_CODE DoubleLanes sign_from_bit(DoubleLanes a)
-{
-    return {(bits_of(a) >> bit & 1) != 0 ? -0.0 : 0.0};
-}
-/// `yes` where the sign bit is set (-0 counts as negative), else `no`.
-KERNEL_CODE DoubleLanes choose_by_sign(DoubleLanes sign, DoubleLanes yes, DoubleLanes no)
-{
-    return std::signbit(sign.x) ? yes : no;
-}
-/// -a where `sign` is -0, a where it is 0. No other values are allowed (see sign_from_bit).
-KERNEL_CODE DoubleLanes with_sign(DoubleLanes sign, DoubleLanes a)
-{
-    return {std::signbit(sign.x) ? -a.x : a.x};
 }
 
 } // namespace

@@ -9,7 +9,6 @@ typedef float FloatVector __attribute__((vector_size(LANE_BYTES)));
 typedef float HalfFloatVector __attribute__((vector_size(LANE_BYTES / 2)));
 typedef double DoubleVector __attribute__((vector_size(LANE_BYTES)));
 typedef std::int32_t IntVector __attribute__((vector_size(LANE_BYTES)));
-typedef std::int64_t LongVector __attribute__((vector_size(LANE_BYTES)));
 
 /// Reinterprets the bits as another type.
 template <class To, class From>
@@ -235,39 +234,9 @@ KERNEL_CODE DoubleLanes operator+(DoubleLanes a, DoubleLanes b)
 {
     return {a.x + b.x};
 }
-KERNEL_CODE DoubleLanes operator-(DoubleLanes a, DoubleLanes b)
-{
-    return {a.x - b.x};
-}
 KERNEL_CODE DoubleLanes operator*(DoubleLanes a, DoubleLanes b)
 {
     return {a.x * b.x};
-}
-KERNEL_CODE DoubleLanes square_root(DoubleLanes a)
-{
-    DoubleVector root = a.x;
-    for (std::size_t i = 0; i < DoubleLanes::width; ++i)
-        root[i] = __builtin_sqrt(a.x[i]);
-    return {root};
-}
-KERNEL_CODE DoubleLanes choose_less(DoubleLanes a, DoubleLanes b, DoubleLanes yes, DoubleLanes no)
-{
-    return {a.x < b.x ? yes.x : no.x};
-}
-template <int bit>
-KERNEL_CODE DoubleLanes sign_from_bit(DoubleLanes a)
-{
-    constexpr std::int64_t sign = -0x7fffffffffffffff - 1;
-    return {bits_as<DoubleVector>(bits_as<LongVector>(a.x) << (63 - bit) & sign)};
-}
-KERNEL_CODE DoubleLanes choose_by_sign(DoubleLanes sign, DoubleLanes yes, DoubleLanes no)
-{
-    const LongVector negative = bits_as<LongVector>(sign.x) >> 63; // all bits set or none
-    return {bits_as<DoubleVector>((bits_as<LongVector>(yes.x) & negative) | (bits_as<LongVector>(no.x) & ~negative))};
-}
-KERNEL_CODE DoubleLanes with_sign(DoubleLanes sign, DoubleLanes a)
-{
-    return {bits_as<DoubleVector>(bits_as<LongVector>(a.x) ^ bits_as<LongVector>(sign.x))};
 }
 
 } // namespace

@@ -115,27 +115,21 @@ void GlobalLines::lines(const Item* items, std::size_t count, Line* lines) const
 
 void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    SquarePoints square = {};
-    WarpedPoints from;
-    WarpedPoints to;
-    load_square_points(items, count, 0, square);
-    warp_kernel().uniform_sphere(square, count, from);
-    load_square_points(items, count, 2, square);
-    warp_kernel().uniform_sphere(square, count, to);
+    std::array<Vec3, warp_block> from;
+    std::array<Vec3, warp_block> to;
+    warp_kernel().uniform_sphere(items, count, 0, from.data());
+    warp_kernel().uniform_sphere(items, count, 2, to.data());
     const Vec3 centre = box_.centre();
     for (std::size_t k = 0; k < count; ++k)
-        lines[k] = chord(centre + radius_ * rotated({from.x[k], from.y[k], from.z[k]}),
-                         centre + radius_ * rotated({to.x[k], to.y[k], to.z[k]}));
+        lines[k] = chord(centre + radius_ * rotated(from[k]), centre + radius_ * rotated(to[k]));
 }
 
 void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    SquarePoints square = {};
-    WarpedPoints local;
-    load_square_points(items, count, 2, square);
-    warp_kernel().cosine_hemisphere(square, count, local);
+    std::array<Vec3, warp_block> local;
+    warp_kernel().cosine_hemisphere(items, count, 2, local.data());
     for (std::size_t k = 0; k < count; ++k)
-        lines[k] = box_line(items[k], {local.x[k], local.y[k], local.z[k]});
+        lines[k] = box_line(items[k], local[k]);
 }
 
 std::uint64_t GlobalLines::lines_to_cast(std::uint64_t lines_met) const

@@ -5,6 +5,7 @@
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace multipath {
@@ -37,18 +38,15 @@ Line local_line(const Patch& patch, const Item& item)
 
 void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines)
 {
-    SquarePoints square;
-    WarpedPoints local;
+    std::array<Vec3, warp_block> local;
     std::optional<Sender> sender;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lane = k % warp_block;
-        if (lane == 0) {
-            load_square_points(items + k, std::min(warp_block, count - k), 2, square);
-            warp_kernel().cosine_hemisphere(square, std::min(warp_block, count - k), local);
-        }
+        if (lane == 0)
+            warp_kernel().cosine_hemisphere(items + k, std::min(warp_block, count - k), 2, local.data());
         if (k == 0 || patches[k] != patches[k - 1])
             sender.emplace(scene.patch(patches[k]));
-        lines[k] = sender->ray(items[k], {local.x[lane], local.y[lane], local.z[lane]});
+        lines[k] = sender->ray(items[k], local[lane]);
     }
 }
 
