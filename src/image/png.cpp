@@ -308,7 +308,7 @@ std::vector<ImageFile> texture_files(const Scene& scene)
     for (const std::shared_ptr<const Texture>& texture : scene.file().textures) {
         const std::string& bytes = texture->bytes();
         const Bitmap& bitmap = texture->bitmap();
-        if (bytes.compare(0, 3, "\xff\xd8\xff") == 0 && !is_jpeg_of_inks(bytes))
+        if (bytes.compare(0, 3, "\xff\xd8\xff") == 0 && !bitmap.is_of_inks)
             images.push_back({"image/jpeg", bytes});
         else if (bytes.compare(0, 4, "\x89PNG") == 0)
             images.push_back({"image/png", bytes});

@@ -44,7 +44,7 @@ private:
     static constexpr std::uint32_t size_with_alpha_mask = 56;
 
     enum Compression : std::uint32_t { none = 0, rle_8 = 1, rle_4 = 2, bit_fields = 3, alpha_bit_fields = 6 };
-    using Colour = std::array<std::uint8_t, 3>;
+    using Colour = Bitmap::Colour;
 
     void read_core_header(ByteReader& file)
     {
@@ -110,10 +110,8 @@ private:
         }
     }
 
-    std::uint8_t* row_from_file_start(Bitmap& bitmap, std::uint32_t j) const
-    {
-        return bitmap.row(is_from_top_ ? j : height_ - 1 - j);
-    }
+    /// The row of the image that is row `j` of the file.
+    std::uint32_t row_at(std::uint32_t j) const { return is_from_top_ ? j : height_ - 1 - j; }
 
     Bitmap read_plain(ByteReader& data) const
     {
@@ -123,19 +121,12 @@ private:
         const std::uint64_t padding = stride - row_bytes; // may be missing after the last row
         if ((data.left() + padding) / stride < height_)
             throw ImageError("ends too early");
-        Bitmap bitmap = blank_bitmap(width_, height_);
-        bitmap.alpha.resize(alpha_mask_ != 0 ? bitmap.rgb.size() / 3 : 0);
+        Bitmap bitmap = blank_bitmap(width_, height_, alpha_mask_ != 0);
         for (std::uint32_t j = 0; j < height_; ++j) {
             const std::uint8_t* const row = data.bytes(static_cast<std::size_t>(row_bytes));
             data.skip(std::min(static_cast<std::size_t>(padding), data.left()));
-            std::uint8_t* pixel = row_from_file_start(bitmap, j);
-            for (std::size_t i = 0; i < width_; ++i, pixel += 3) {
-                const Colour colour = colour_of(row, i);
-                std::copy(colour.begin(), colour.end(), pixel);
-                if (alpha_mask_ != 0)
-                    bitmap.alpha[static_cast<std::size_t>(pixel - bitmap.rgb.data()) / 3] =
-                        masked(word_of(row, i), alpha_mask_);
-            }
+            for (std::uint32_t i = 0; i < width_; ++i)
+                bitmap.set(i, row_at(j), colour_of(row, i), masked(word_of(row, i), alpha_mask_));
         }
         drop_unused_alpha(bitmap);
         return bitmap;
@@ -155,10 +146,8 @@ private:
     {
         if (bits_ == 24)
             return {row[3 * i + 2], row[3 * i + 1], row[3 * i]};
-        if (bits_ <= 8) {
-            const std::size_t bit = i * bits_;
-            return palette_[row[bit / 8] >> (8 - bits_ - bit % 8) & ((1u << bits_) - 1)];
-        }
+        if (bits_ <= 8)
+            return palette_[packed_number(row, i, bits_)];
         const std::uint32_t word = word_of(row, i);
         return {masked(word, masks_[0]), masked(word, masks_[1]), masked(word, masks_[2])};
     }
@@ -181,27 +170,21 @@ private:
         if (std::uint64_t{width_} * height_ / 255 > data.left())
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_);
-        for (std::size_t pixel = 0; pixel < bitmap.rgb.size(); pixel += 3)
-            std::copy(palette_[0].begin(), palette_[0].end(), bitmap.rgb.begin() + static_cast<std::ptrdiff_t>(pixel));
+        for (std::uint32_t pixel = 0; pixel < width_ * height_; ++pixel)
+            bitmap.set(pixel % width_, pixel / width_, palette_[0]);
         std::uint64_t x = 0;
         std::uint64_t y = 0;
         const auto paint = [&](unsigned index) {
             if (x < width_ && y < height_)
-                std::copy(palette_[index].begin(), palette_[index].end(),
-                          row_from_file_start(bitmap, static_cast<std::uint32_t>(y)) + 3 * static_cast<std::size_t>(x));
+                bitmap.set(static_cast<std::uint32_t>(x), row_at(static_cast<std::uint32_t>(y)), palette_[index]);
             ++x;
-        };
-        const auto index_in = [this](const std::uint8_t* packed, std::size_t i) -> unsigned {
-            if (bits_ == 8)
-                return packed[i];
-            return i % 2 == 0 ? packed[i / 2] >> 4 : packed[i / 2] & 15u;
         };
         for (;;) {
             const std::size_t run = data.byte();
             const std::uint8_t value = data.byte();
             if (run > 0) {
                 for (std::size_t i = 0; i < run; ++i)
-                    paint(index_in(&value, bits_ == 8 ? 0 : i % 2));
+                    paint(packed_number(&value, bits_ == 8 ? 0 : i % 2, bits_));
             } else if (value == 0) {
                 x = 0;
                 ++y;
@@ -214,7 +197,7 @@ private:
                 const std::size_t count = bits_ == 8 ? value : (value + 1u) / 2u;
                 const std::uint8_t* const packed = data.bytes(count);
                 for (std::size_t i = 0; i < value; ++i)
-                    paint(index_in(packed, i));
+                    paint(packed_number(packed, i, bits_));
                 data.skip(count % 2);
             }
         }

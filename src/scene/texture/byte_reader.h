@@ -61,6 +61,13 @@ private:
     std::string_view rest_;
 };
 
+/// The number `i` of a row of numbers of 1, 2, 4 or 8 bits, which begin at the highest bits of each byte.
+inline unsigned packed_number(const std::uint8_t* row, std::size_t i, unsigned bits)
+{
+    const std::size_t bit = i * bits;
+    return static_cast<unsigned>(row[bit / 8]) >> (8 - bits - bit % 8) & ((1u << bits) - 1);
+}
+
 /// Decompresses a zlib stream (RFC 1950) whose contents must be `size` bytes; never decompresses more than that. Bytes
 /// after the end of the stream are ignored. Throws ImageError if the stream is damaged or truncated, or if its contents
 /// have another size.

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,12 +13,22 @@ namespace multipath {
 /// An image of 8 bits per channel, encoded in sRGB as in image files.
 struct Bitmap
 {
+    using Colour = std::array<std::uint8_t, 3>; ///< red, green, blue
+
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgb; ///< 3 * width * height bytes, row by row from the top, in each row from the left
-    std::vector<std::uint8_t> alpha =
-        {}; ///< opacity of each pixel, from 0 to 255, in the same order; empty: all opaque
+    std::vector<std::uint8_t> alpha = {}; ///< opacity from 0 to 255 in the same order; empty: all opaque
+    bool is_of_inks = false;              ///< the file holds inks (CMYK), which glTF does not allow
 
+    /// Sets a pixel, and its opacity if the image has any.
+    void set(std::uint32_t x, std::uint32_t y, Colour colour, unsigned opacity = 255)
+    {
+        const std::size_t pixel = std::size_t{width} * y + x;
+        std::copy(colour.begin(), colour.end(), &rgb[3 * pixel]);
+        if (!alpha.empty())
+            alpha[pixel] = static_cast<std::uint8_t>(opacity);
+    }
     /// The first pixel of row y; row 0 is at the top.
     std::uint8_t* row(std::uint32_t y) { return &rgb[std::size_t{3} * width * y]; }
     const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
@@ -26,8 +37,8 @@ struct Bitmap
 /// Throws ImageError for an image without pixels or with more than 2^26 pixels (8192 x 8192).
 void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 
-/// Returns a black image. Throws ImageError like require_bitmap_size().
-Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height);
+/// Returns a black image, transparent if `has_alpha`. Throws ImageError like require_bitmap_size().
+Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height, bool has_alpha = false);
 
 /// Makes an image opaque all of whose pixels have opacity 0: some programs leave these bytes unused.
 void drop_unused_alpha(Bitmap& bitmap);
@@ -39,8 +50,6 @@ void drop_unused_alpha(Bitmap& bitmap);
 Bitmap read_png(std::string_view bytes);
 /// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components.
 Bitmap read_jpeg(std::string_view bytes);
-/// True for a JPEG file of four components. Such files hold inks (CMYK), which glTF does not allow.
-bool is_jpeg_of_inks(std::string_view bytes);
 /// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);
 /// Windows bitmap of 1 to 32 bits per pixel, uncompressed or run-length encoded.

@@ -40,10 +40,11 @@ void require_bitmap_size(std::uint32_t width, std::uint32_t height)
                          " pixels are too many, expected at most 2^26");
 }
 
-Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height)
+Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height, bool has_alpha)
 {
     require_bitmap_size(width, height);
-    return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+    const std::size_t pixels = std::size_t{width} * height;
+    return {width, height, std::vector<std::uint8_t>(3 * pixels), std::vector<std::uint8_t>(has_alpha ? pixels : 0)};
 }
 
 void drop_unused_alpha(Bitmap& bitmap)

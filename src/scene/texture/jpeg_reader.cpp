@@ -16,6 +16,7 @@
 #include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
+#include "scene/texture/prefix_code.h"
 
 #include <algorithm>
 #include <array>
@@ -64,138 +65,34 @@ std::optional<std::uint8_t> next_jpeg_marker(std::string_view bytes, std::size_t
     return std::nullopt;
 }
 
-/// Canonical Huffman code (annex C) of at most 16 bits, with a table of the codes of at most `short_bits`.
-struct JpegHuffman
+PrefixCode read_jpeg_huffman(ByteReader& segment)
 {
-    static constexpr unsigned short_bits = 9;
-    bool defined = false;
-    std::array<std::uint8_t, 256> symbols = {};
-    std::array<unsigned, 17> limit = {}; ///< by length: the first 16-bit number above its codes, aligned left
-    std::array<int, 17> offset = {};     ///< by length: index of the symbol minus code
-    std::array<std::uint16_t, 1U << short_bits> short_codes = {}; ///< 256 length + symbol; 0: a longer code
-};
-
-JpegHuffman read_jpeg_huffman(ByteReader& segment)
-{
-    JpegHuffman table;
-    table.defined = true;
-    std::array<unsigned, 17> count = {};
-    for (std::size_t length = 1; length <= 16; ++length)
-        count[length] = segment.byte();
-    unsigned code = 0;
-    unsigned index = 0;
-    for (unsigned length = 1; length <= 16; ++length, code <<= 1) {
-        table.offset[length] = static_cast<int>(index) - static_cast<int>(code);
-        if (code + count[length] > 1U << length || index + count[length] > table.symbols.size())
-            throw ImageError("a Huffman table is damaged");
-        for (unsigned i = 0; i < count[length]; ++i, ++code, ++index) {
-            table.symbols[index] = segment.byte();
-            if (length > JpegHuffman::short_bits)
-                continue;
-            const unsigned spare_bits = JpegHuffman::short_bits - length;
-            const auto first = table.short_codes.begin() + (code << spare_bits);
-            std::fill(first, first + (1U << spare_bits),
-                      static_cast<std::uint16_t>(length << 8 | table.symbols[index]));
-        }
-        table.limit[length] = code << (16 - length);
-    }
-    return table;
+    constexpr std::size_t most_symbols = 256;
+    PrefixCode::Counts counts = {};
+    std::size_t symbol_count = 0;
+    for (std::size_t length = 1; length < counts.size(); ++length)
+        symbol_count += counts[length] = segment.byte();
+    if (symbol_count > most_symbols)
+        throw ImageError("a Huffman table is damaged");
+    const std::uint8_t* const symbols = segment.bytes(symbol_count);
+    return {counts, {symbols, symbols + symbol_count}};
 }
 
-/// Reads the bits of entropy coded data. After a marker or the end of the file it continues with zeros.
-class JpegBits
+/// The entropy coded data that begin at `position`, which is moved to their end: a marker or the end of the file. The
+/// zeros that follow bytes 0xFF are left out (F.1.2.3).
+std::string jpeg_coded_data(std::string_view bytes, std::size_t& position)
 {
-public:
-    JpegBits(std::string_view bytes, std::size_t position) : bytes_(bytes), position_(position) {}
-
-    std::size_t position() const { return position_; }
-
-    /// True if bits were read after the end of the data.
-    bool exhausted() const { return padding_ > count_; }
-
-    /// Reads a number of `count` <= 16 bits.
-    unsigned bits(unsigned count)
-    {
-        const unsigned result = peek(count);
-        count_ -= count;
-        return result;
+    std::string data;
+    for (;;) {
+        const std::size_t end = std::min(bytes.find('\xFF', position), bytes.size());
+        data += bytes.substr(position, end - position);
+        position = end;
+        if (end + 1 >= bytes.size() || bytes[end + 1] != 0)
+            return data;
+        data += '\xFF';
+        position += 2;
     }
-
-    unsigned symbol(const JpegHuffman& table)
-    {
-        const unsigned code = peek(16);
-        if (const unsigned entry = table.short_codes[code >> (16 - JpegHuffman::short_bits)]; entry != 0) {
-            count_ -= entry >> 8;
-            return entry & 0xFF;
-        }
-        for (unsigned length = JpegHuffman::short_bits + 1; length <= 16; ++length)
-            if (code < table.limit[length]) {
-                count_ -= length;
-                const int index = static_cast<int>(code >> (16 - length)) + table.offset[length];
-                return table.symbols[static_cast<std::size_t>(index)];
-            }
-        count_ -= 16;
-        report_damage();
-        return 0;
-    }
-
-    /// Reads a signed number of `size` <= 15 bits (F.2.2.1, EXTEND).
-    int signed_number(unsigned size)
-    {
-        const int number = static_cast<int>(bits(size));
-        const int range = 1 << size;
-        return 2 * number < range ? number - range + 1 : number;
-    }
-
-    /// Throws ImageError, unless the wrong code may be due to the zeros after the end.
-    void report_damage() const
-    {
-        if (!exhausted())
-            throw ImageError("the coded JPEG data is damaged");
-    }
-
-    /// Moves past the next restart marker. Returns false, without moving, if another marker or the end comes first.
-    bool restart()
-    {
-        count_ = 0;
-        padding_ = 0;
-        std::size_t after = position_;
-        const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes_, after);
-        if (!marker || !is_jpeg_restart(*marker))
-            return false;
-        position_ = after;
-        return true;
-    }
-
-private:
-    unsigned peek(unsigned count)
-    {
-        if (count_ < count)
-            refill();
-        return static_cast<unsigned>(buffer_ >> (count_ - count)) & ((1U << count) - 1);
-    }
-
-    void refill()
-    {
-        for (; count_ <= 48; count_ += 8) {
-            buffer_ <<= 8;
-            const std::uint8_t byte = position_ < bytes_.size() ? jpeg_byte_at(bytes_, position_) : 0xFF;
-            const bool stuffed = byte == 0xFF && position_ + 1 < bytes_.size() && bytes_[position_ + 1] == 0;
-            if (byte == 0xFF && !stuffed) {
-                padding_ += 8;
-                continue;
-            }
-            buffer_ |= byte;
-            position_ += stuffed ? 2 : 1;
-        }
-    }
-
-    std::string_view bytes_;
-    std::size_t position_ = 0;
-    std::uint64_t buffer_ = 0;
-    unsigned count_ = 0;   ///< number of valid bits, the lowest ones of the buffer
-    unsigned padding_ = 0; ///< zeros put into the buffer after the end
-};
+}
 
 using JpegBlock = std::array<std::int16_t, 64>;
 
@@ -216,8 +113,8 @@ struct JpegComponent
     std::optional<std::array<std::uint16_t, 64>> quantization; ///< table at its first scan
     std::vector<JpegBlock> coefficients;                       ///< progressive mode only
     std::vector<std::uint8_t> samples;                         ///< rows of stride()
-    const JpegHuffman* dc = nullptr;                           ///< tables of the current scan
-    const JpegHuffman* ac = nullptr;
+    const PrefixCode* dc = nullptr;                            ///< tables of the current scan
+    const PrefixCode* ac = nullptr;
     int dc_prediction = 0;
 };
 
@@ -305,7 +202,7 @@ std::array<std::uint8_t, 3> jpeg_ycc_to_rgb(std::uint8_t luma, std::uint8_t blue
 class JpegDecoder
 {
 public:
-    explicit JpegDecoder(std::string_view bytes) : bytes_(bytes), bits_(bytes, 0) {}
+    explicit JpegDecoder(std::string_view bytes) : bytes_(bytes) {}
 
     Bitmap decode()
     {
@@ -431,6 +328,7 @@ private:
         if (8 * least_part * bytes_.size() < blocks)
             throw ImageError("ends too early");
         picture_ = blank_bitmap(width, height);
+        picture_.is_of_inks = count == 4;
     }
 
     JpegScan read_scan_header(ByteReader segment)
@@ -480,7 +378,7 @@ private:
                 component->quantization = quantization_tables_[component->quantization_index];
             if (!component->quantization)
                 throw ImageError("a quantization table is missing");
-            if ((needs_dc && !component->dc->defined) || (needs_ac && !component->ac->defined))
+            if ((needs_dc && component->dc->empty()) || (needs_ac && component->ac->empty()))
                 throw ImageError("a Huffman table is missing");
         }
         if (scans_++ == 0)
@@ -501,13 +399,13 @@ private:
         if (scans_ > jpeg_max_scans || block_visits_ > jpeg_max_block_visits)
             throw ImageError("the JPEG file has too many scans");
 
-        bits_ = JpegBits(bytes_, position);
-        reset_predictions();
+        begin_interval(position);
         for (std::size_t mcu = 0; mcu < mcus_x * mcus_y; ++mcu) {
             if (restart_interval_ != 0 && mcu != 0 && mcu % restart_interval_ == 0) {
-                if (!bits_.restart())
+                const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes_, position);
+                if (!marker || !is_jpeg_restart(*marker))
                     throw ImageError("ends too early");
-                reset_predictions();
+                begin_interval(position);
             }
             const std::size_t mcu_x = mcu % mcus_x;
             const std::size_t mcu_y = mcu / mcus_x;
@@ -517,13 +415,11 @@ private:
                 for (std::size_t i = 0; i < h * v; ++i)
                     decode_block(*component, mcu_x * h + i % h, mcu_y * v + i / h);
             }
-            if (bits_.exhausted())
-                throw ImageError("ends too early");
         }
         for (JpegComponent* component : scan_.components)
             for (unsigned k = scan_.first; k <= scan_.last && scan_.low == 0; ++k)
                 component->is_exact[k] = true;
-        return bits_.position();
+        return position;
     }
 
     void allocate_blocks()
@@ -535,8 +431,10 @@ private:
                 component.samples.assign(64 * component.block_count(), 128);
     }
 
-    void reset_predictions()
+    /// Begins the data up to the next restart marker, to which `position` is moved, or to the end of the scan.
+    void begin_interval(std::size_t& position)
     {
+        bits_ = BitReader(jpeg_coded_data(bytes_, position));
         end_of_band_run_ = 0;
         for (JpegComponent& component : components_)
             component.dc_prediction = 0;
@@ -563,17 +461,27 @@ private:
             return scan_.high == 0 ? decode_ac(component, block) : refine_ac(component, block);
         if (scan_.high == 0)
             return decode_dc(component, block);
-        if (bits_.bits(1) != 0)
+        if (bits_.take(1) != 0)
             block[0] = static_cast<std::int16_t>(block[0] | 1 << scan_.low);
+    }
+
+    [[noreturn]] static void throw_damaged() { throw ImageError("the coded JPEG data is damaged"); }
+
+    /// Reads a signed number of `size` <= 15 bits (F.2.2.1, EXTEND).
+    int signed_number(unsigned size)
+    {
+        const int number = static_cast<int>(bits_.take(size));
+        const int range = 1 << size;
+        return 2 * number < range ? number - range + 1 : number;
     }
 
     /// Decodes the DC coefficient, coded as the difference from that of the previous block (F.2.2.1).
     void decode_dc(JpegComponent& component, JpegBlock& block)
     {
-        const unsigned size = bits_.symbol(*component.dc);
+        const unsigned size = component.dc->symbol(bits_);
         if (size > 15)
-            return bits_.report_damage();
-        component.dc_prediction = std::clamp(component.dc_prediction + bits_.signed_number(size), -32768, 32767);
+            throw_damaged();
+        component.dc_prediction = std::clamp(component.dc_prediction + signed_number(size), -32768, 32767);
         block[0] = static_cast<std::int16_t>(component.dc_prediction * (1 << scan_.low));
     }
 
@@ -586,20 +494,20 @@ private:
             return;
         }
         for (unsigned k = std::max(scan_.first, 1U); k <= scan_.last; ++k) {
-            const unsigned symbol = bits_.symbol(*component.ac);
+            const unsigned symbol = component.ac->symbol(bits_);
             const unsigned run = symbol >> 4;
             const unsigned size = symbol & 15;
             if (size == 0 && run < 15) {
                 if (progressive_)
-                    end_of_band_run_ = (1U << run) - 1 + bits_.bits(run);
+                    end_of_band_run_ = (1U << run) - 1 + bits_.take(run);
                 return;
             }
             k += run;
             if (size == 0)
                 continue;
             if (k > scan_.last)
-                return bits_.report_damage();
-            block[jpeg_zigzag[k]] = static_cast<std::int16_t>(bits_.signed_number(size) * (1 << scan_.low));
+                throw_damaged();
+            block[jpeg_zigzag[k]] = static_cast<std::int16_t>(signed_number(size) * (1 << scan_.low));
         }
     }
 
@@ -608,19 +516,19 @@ private:
     {
         const int step = 1 << scan_.low;
         const auto refine = [&](std::int16_t& coefficient) {
-            if (bits_.bits(1) != 0)
+            if (bits_.take(1) != 0)
                 coefficient = static_cast<std::int16_t>(coefficient + (coefficient > 0 ? step : -step));
         };
         unsigned k = scan_.first;
         for (; k <= scan_.last && end_of_band_run_ == 0; ++k) {
-            const unsigned symbol = bits_.symbol(*component.ac);
+            const unsigned symbol = component.ac->symbol(bits_);
             const unsigned size = symbol & 15;
             unsigned run = symbol >> 4;
             if (size == 0 && run < 15) {
-                end_of_band_run_ = (1U << run) + bits_.bits(run);
+                end_of_band_run_ = (1U << run) + bits_.take(run);
                 break;
             }
-            const int fresh = size == 0 ? 0 : bits_.bits(1) != 0 ? step : -step;
+            const int fresh = size == 0 ? 0 : bits_.take(1) != 0 ? step : -step;
             for (; k <= scan_.last; ++k) { // the run counts only coefficients that are still zero
                 std::int16_t& coefficient = block[jpeg_zigzag[k]];
                 if (coefficient != 0)
@@ -631,7 +539,7 @@ private:
             if (k <= scan_.last)
                 block[jpeg_zigzag[k]] = static_cast<std::int16_t>(fresh);
             else if (size != 0)
-                return bits_.report_damage();
+                throw_damaged();
         }
         if (end_of_band_run_ == 0)
             return;
@@ -754,11 +662,11 @@ private:
     bool is_jfif_ = false;
     std::optional<std::uint8_t> adobe_transform_;
     std::array<std::optional<std::array<std::uint16_t, 64>>, 4> quantization_tables_;
-    std::array<JpegHuffman, 4> dc_tables_;
-    std::array<JpegHuffman, 4> ac_tables_;
+    std::array<PrefixCode, 4> dc_tables_;
+    std::array<PrefixCode, 4> ac_tables_;
     std::size_t restart_interval_ = 0;
 
-    JpegBits bits_; ///< state of the current scan
+    BitReader bits_{{}}; ///< state of the current scan
     JpegScan scan_;
     unsigned end_of_band_run_ = 0;
     std::size_t scans_ = 0;
@@ -770,20 +678,6 @@ private:
 Bitmap read_jpeg(std::string_view bytes)
 {
     return JpegDecoder(bytes).decode();
-}
-
-bool is_jpeg_of_inks(std::string_view bytes)
-{
-    constexpr std::size_t count_in_frame = 7; // bytes after the marker: length, precision, height and width come before
-    std::size_t position = 2;                 // after the start marker
-    while (const std::optional<std::uint8_t> marker = next_jpeg_marker(bytes, position)) {
-        if (position + count_in_frame >= bytes.size())
-            return false;
-        if (*marker >= 0xC0 && *marker <= 0xC2)
-            return jpeg_byte_at(bytes, position + count_in_frame) == 4;
-        position += 256 * std::size_t{jpeg_byte_at(bytes, position)} + jpeg_byte_at(bytes, position + 1);
-    }
-    return false;
 }
 
 } // namespace multipath

@@ -110,9 +110,10 @@ private:
 
     void read_palette(std::string_view data)
     {
-        if (data.size() > palette_.size() || data.size() % 3 != 0)
+        if (data.size() > 3 * palette_.size() || data.size() % 3 != 0)
             throw ImageError("has a damaged palette");
-        std::copy(data.begin(), data.end(), palette_.begin());
+        for (std::size_t k = 0; k < data.size(); ++k)
+            palette_[k / 3][k % 3] = static_cast<std::uint8_t>(data[k]);
         has_palette_ = true;
     }
 
@@ -132,9 +133,7 @@ private:
             if (const std::uint32_t columns = pass.columns(width_); columns > 0)
                 size += pass.rows(height_) * (1 + row_bytes(columns));
         std::vector<std::uint8_t> data = inflate(stream, size);
-        Bitmap bitmap = blank_bitmap(width_, height_);
-        if (colour_type_ == grey_alpha || colour_type_ == rgb_alpha || !transparency_.empty())
-            bitmap.alpha.resize(std::size_t{width_} * height_);
+        Bitmap bitmap = blank_bitmap(width_, height_, has_alpha_channel() || !transparency_.empty());
         std::uint8_t* next = data.data();
         for (const Pass& pass : passes())
             if (pass.columns(width_) > 0)
@@ -148,18 +147,13 @@ private:
         const std::uint32_t columns = pass.columns(width_);
         const std::size_t size = row_bytes(columns);
         const std::vector<std::uint8_t> zeros(size);
-        std::vector<std::uint8_t> samples(std::size_t{columns} * samples_);
         const std::uint8_t* above = zeros.data();
         for (std::uint32_t j = 0; j < pass.rows(height_); ++j) {
             std::uint8_t* const row = next + 1;
             remove_filter(*next, row, above, size);
             above = row;
             next = row + size;
-            unpack(row, samples);
-            const std::uint32_t y = pass.y + j * pass.dy;
-            paint(samples, bitmap.row(y) + std::size_t{3} * pass.x, columns, std::size_t{3} * pass.dx);
-            if (!bitmap.alpha.empty())
-                set_alpha(row, samples, &bitmap.alpha[std::size_t{width_} * y + pass.x], columns, pass.dx);
+            paint(row, pass, pass.y + j * pass.dy, bitmap);
         }
         return next;
     }
@@ -169,105 +163,72 @@ private:
     void remove_filter(unsigned filter, std::uint8_t* row, const std::uint8_t* above, std::size_t size) const
     {
         const std::size_t left = std::max(1u, samples_ * depth_ / 8); // distance to the same byte of the previous pixel
-        const std::size_t first = std::min(left, size);
-        const auto add = [row](std::size_t i, unsigned prediction) {
-            row[i] = static_cast<std::uint8_t>(row[i] + prediction);
+        const auto add = [&](const auto& prediction) {
+            for (std::size_t i = 0; i < size; ++i) {
+                const bool is_first = i < left;
+                const int value = prediction(is_first ? 0 : row[i - left], above[i], is_first ? 0 : above[i - left]);
+                row[i] = static_cast<std::uint8_t>(row[i] + value);
+            }
         };
         switch (filter) {
         case 0:
             break;
         case 1:
-            for (std::size_t i = first; i < size; ++i)
-                add(i, row[i - left]);
-            break;
+            return add([](int before, int, int) { return before; });
         case 2:
-            for (std::size_t i = 0; i < size; ++i)
-                add(i, above[i]);
-            break;
+            return add([](int, int over, int) { return over; });
         case 3:
-            for (std::size_t i = 0; i < first; ++i)
-                add(i, above[i] / 2u);
-            for (std::size_t i = first; i < size; ++i)
-                add(i, (row[i - left] + above[i]) / 2u);
-            break;
+            return add([](int before, int over, int) { return (before + over) / 2; });
         case 4:
-            for (std::size_t i = 0; i < first; ++i)
-                add(i, above[i]);
-            for (std::size_t i = first; i < size; ++i)
-                add(i, paeth(row[i - left], above[i], above[i - left]));
-            break;
+            return add(paeth);
         default:
             throw ImageError("has damaged pixel data");
         }
     }
 
     /// The Paeth predictor: that of left, above and corner that is nearest to left + above - corner.
-    static unsigned paeth(int left, int above, int corner)
+    static int paeth(int left, int above, int corner)
     {
         const int to_left = std::abs(above - corner);
         const int to_above = std::abs(left - corner);
         const int to_corner = std::abs(left + above - 2 * corner);
         const int vertical = to_above <= to_corner ? above : corner;
-        return static_cast<unsigned>(to_left <= to_above && to_left <= to_corner ? left : vertical);
+        return to_left <= to_above && to_left <= to_corner ? left : vertical;
     }
 
-    /// Unpacks a row into one byte per sample: the high byte of 16 bits; fewer than 8 bits are not scaled.
-    void unpack(const std::uint8_t* row, std::vector<std::uint8_t>& samples) const
-    {
-        if (depth_ == 8) {
-            std::copy_n(row, samples.size(), samples.data());
-        } else if (depth_ == 16) {
-            for (std::size_t i = 0; i < samples.size(); ++i)
-                samples[i] = row[2 * i];
-        } else {
-            const std::size_t per_byte = 8 / depth_;
-            const unsigned mask = (1u << depth_) - 1;
-            for (std::size_t i = 0; i < samples.size(); ++i)
-                samples[i] =
-                    static_cast<std::uint8_t>(row[i / per_byte] >> depth_ * (per_byte - 1 - i % per_byte) & mask);
-        }
-    }
+    bool has_alpha_channel() const { return colour_type_ == grey_alpha || colour_type_ == rgb_alpha; }
 
-    void paint(const std::vector<std::uint8_t>& samples, std::uint8_t* pixel, std::uint32_t columns,
-               std::size_t step) const
+    /// Sets the pixels of a row of a pass. Of samples of 16 bits the high byte counts. The opacity is the last sample,
+    /// or that of the colour in the palette, or 0 for the one colour that the file declares transparent, with samples
+    /// of two bytes (ISO/IEC 15948, 11.3.2).
+    void paint(const std::uint8_t* row, const Pass& pass, std::uint32_t y, Bitmap& bitmap) const
     {
-        const std::uint8_t* sample = samples.data();
-        if (colour_type_ == rgb || colour_type_ == rgb_alpha) {
-            for (std::uint32_t i = 0; i < columns; ++i, sample += samples_, pixel += step)
-                std::copy_n(sample, 3, pixel);
-        } else if (colour_type_ == indexed) {
-            for (std::uint32_t i = 0; i < columns; ++i, ++sample, pixel += step)
-                std::copy_n(palette_.data() + std::size_t{3} * *sample, 3, pixel);
-        } else {
-            const unsigned white = 255 / ((1u << std::min(depth_, 8u)) - 1);
-            for (std::uint32_t i = 0; i < columns; ++i, sample += samples_, pixel += step)
-                std::fill_n(pixel, 3, static_cast<std::uint8_t>(*sample * white));
-        }
-    }
-
-    /// Sets the opacity of the pixels of a row: their last sample, or that of their colour in the palette, or 0 for the
-    /// one colour that the file declares transparent, with samples of two bytes (ISO/IEC 15948, 11.3.2).
-    void set_alpha(const std::uint8_t* row, const std::vector<std::uint8_t>& samples, std::uint8_t* alpha,
-                   std::uint32_t columns, std::size_t step) const
-    {
-        const auto is_transparent = [&](std::size_t i) {
-            for (std::size_t c = 0; c < samples_; ++c) {
-                const std::size_t at = i * samples_ + c;
-                const unsigned high = depth_ == 16 ? row[2 * at] : 0;
-                const unsigned low = depth_ == 16 ? row[2 * at + 1] : samples[at];
-                if (static_cast<std::uint8_t>(transparency_[2 * c]) != high ||
-                    static_cast<std::uint8_t>(transparency_[2 * c + 1]) != low)
-                    return false;
-            }
-            return true;
+        const bool is_grey = colour_type_ == grey || colour_type_ == grey_alpha;
+        const unsigned white = is_grey && depth_ < 8 ? 255 / ((1u << depth_) - 1) : 1;
+        const bool has_transparent_colour = transparency_.size() >= std::size_t{2} * samples_;
+        const auto transparency_at = [&](std::size_t k) {
+            return unsigned{static_cast<std::uint8_t>(transparency_[k])};
         };
-        for (std::size_t i = 0; i < columns; ++i, alpha += step)
-            if (colour_type_ == grey_alpha || colour_type_ == rgb_alpha)
-                *alpha = samples[(i + 1) * samples_ - 1];
-            else if (colour_type_ == indexed)
-                *alpha = samples[i] < transparency_.size() ? static_cast<std::uint8_t>(transparency_[samples[i]]) : 255;
+        std::array<std::uint8_t, 4> levels = {};
+        for (std::uint32_t i = 0; i < pass.columns(width_); ++i) {
+            bool is_transparent = has_transparent_colour;
+            for (std::size_t c = 0; c < samples_; ++c) {
+                const std::size_t k = std::size_t{i} * samples_ + c;
+                const unsigned sample =
+                    depth_ == 16 ? unsigned{row[2 * k]} << 8 | row[2 * k + 1] : packed_number(row, k, depth_);
+                is_transparent = is_transparent && sample == (transparency_at(2 * c) << 8 | transparency_at(2 * c + 1));
+                levels[c] = static_cast<std::uint8_t>(depth_ == 16 ? sample >> 8 : sample * white);
+            }
+            const std::uint32_t x = pass.x + i * pass.dx;
+            if (colour_type_ == indexed)
+                bitmap.set(x, y, palette_[levels[0]],
+                           levels[0] < transparency_.size() ? transparency_at(levels[0]) : 255);
             else
-                *alpha = transparency_.size() >= std::size_t{2} * samples_ && is_transparent(i) ? 0 : 255;
+                bitmap.set(x, y, {levels[0], levels[is_grey ? 0 : 1], levels[is_grey ? 0 : 2]},
+                           has_alpha_channel() ? levels[samples_ - 1]
+                           : is_transparent    ? 0
+                                               : 255);
+        }
     }
 
     ByteReader file_;
@@ -279,7 +240,7 @@ private:
     unsigned samples_ = 0; ///< of a pixel
     bool is_interlaced_ = false;
     bool has_palette_ = false;
-    std::array<std::uint8_t, 768> palette_ = {}; ///< black after its end
+    std::array<Bitmap::Colour, 256> palette_ = {}; ///< black after its end
 };
 
 } // namespace

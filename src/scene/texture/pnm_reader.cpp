@@ -32,14 +32,12 @@ public:
         require_rows(std::uint64_t{width} * samples, height);
         Bitmap bitmap = blank_bitmap(width, height);
         for (std::uint32_t y = 0; y < height; ++y) {
-            std::uint8_t* pixel = bitmap.row(y);
-            used_bits_ = 0; // rows begin at whole bytes
-            for (std::uint32_t x = 0; x < width; ++x, pixel += 3)
-                if (samples == 1)
-                    std::fill_n(pixel, 3, level());
-                else
-                    for (int c = 0; c < 3; ++c)
-                        pixel[c] = level();
+            const std::uint8_t* const bits = is_bitmap_ && !is_text_ ? file_.bytes((width + 7) / 8) : nullptr;
+            for (std::uint32_t x = 0; x < width; ++x) {
+                const std::uint8_t first = bits != nullptr ? level_of_bit(packed_number(bits, x, 1)) : level();
+                const std::uint8_t second = samples == 1 ? first : level();
+                bitmap.set(x, y, {first, second, samples == 1 ? first : level()});
+            }
         }
         return bitmap;
     }
@@ -58,11 +56,13 @@ private:
             throw ImageError("ends too early");
     }
 
-    /// The next value, scaled to 0 ... 255.
+    static std::uint8_t level_of_bit(unsigned bit) { return bit == 0 ? 255 : 0; } ///< 1 is black
+
+    /// The next value, scaled to 0 ... 255, unless it is a single bit.
     std::uint8_t level()
     {
         if (is_bitmap_)
-            return (is_text_ ? digit() : bit()) == 0 ? 255 : 0; // 1 is black
+            return level_of_bit(digit());
         const std::uint32_t value = std::min(is_text_ ? number() : binary(), largest_);
         return static_cast<std::uint8_t>((value * 255 + largest_ / 2) / largest_);
     }
@@ -71,13 +71,6 @@ private:
     {
         const std::uint32_t high = file_.byte();
         return largest_ > 255 ? high << 8 | file_.byte() : high;
-    }
-
-    unsigned bit()
-    {
-        if (used_bits_ % 8 == 0)
-            bits_ = file_.byte();
-        return bits_ >> (7 - used_bits_++ % 8) & 1u;
     }
 
     /// The next character; a comment, up to the end of its line, counts as a single white space.
@@ -120,8 +113,6 @@ private:
     bool is_text_ = false;
     bool is_bitmap_ = false;
     std::uint32_t largest_ = 1;
-    unsigned bits_ = 0;
-    unsigned used_bits_ = 0;
 };
 
 } // namespace

@@ -25,18 +25,12 @@ public:
         constexpr std::uint64_t most_per_byte = 64; // a packet of at most 128 pixels has at least two bytes
         if (is_packed_ ? pixels > most_per_byte * file_.left() : pixels * pixel_bytes_ > file_.left())
             throw ImageError("ends too early");
-        Bitmap bitmap = blank_bitmap(width_, height_);
-        if (has_alpha_)
-            bitmap.alpha.resize(std::size_t{width_} * height_);
+        Bitmap bitmap = blank_bitmap(width_, height_, has_alpha_);
         for (std::uint32_t j = 0; j < height_; ++j) {
-            const std::uint32_t y = is_from_top_ ? j : height_ - 1 - j;
             for (std::uint32_t i = 0; i < width_; ++i) {
                 const std::uint8_t* const pixel = next_pixel();
-                const Colour colour = colour_of(pixel);
-                const std::uint32_t x = is_from_right_ ? width_ - 1 - i : i;
-                std::copy(colour.begin(), colour.end(), bitmap.row(y) + std::size_t{3} * x);
-                if (has_alpha_)
-                    bitmap.alpha[std::size_t{width_} * y + x] = pixel[pixel_bytes_ - 1];
+                bitmap.set(is_from_right_ ? width_ - 1 - i : i, is_from_top_ ? j : height_ - 1 - j, colour_of(pixel),
+                           pixel[pixel_bytes_ - 1]);
             }
         }
         drop_unused_alpha(bitmap);
@@ -44,7 +38,7 @@ public:
     }
 
 private:
-    using Colour = std::array<std::uint8_t, 3>;
+    using Colour = Bitmap::Colour;
     enum Kind : unsigned { indexed = 1, rgb = 2, grey = 3 };
 
     void read_header()
