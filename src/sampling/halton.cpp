@@ -122,26 +122,17 @@ double shifted(double x, double shift)
 class HaltonSequence final : public Sequence
 {
 public:
-    HaltonSequence(HaltonKind kind, const std::vector<std::uint64_t>& bases, std::uint64_t seed)
-        : kind_(kind), shifts_(bases.size(), 0.0)
+    HaltonSequence(const SequenceRequest& request, const std::vector<std::uint64_t>& bases) : kind_(request.kind)
     {
         for (std::size_t d = 0; d < bases.size(); ++d) {
-            if (kind == HaltonKind::permuted)
-                inverses_.emplace_back(bases[d], random_bits(random_key(RandomStream::halton_permutations, seed), d));
-            else
-                inverses_.emplace_back(bases[d]);
-            if (kind == HaltonKind::shift)
-                shifts_[d] = bits_to_unit(random_bits(random_key(RandomStream::halton_shift, seed), d));
+            const std::uint64_t bits = request.random_bits_of(d);
+            const bool is_permuted = request.randomisation == Randomisation::scramble;
+            inverses_.emplace_back(bases[d], is_permuted ? std::optional(bits) : std::nullopt);
+            shifts_.push_back(is_permuted ? 0.0 : bits_to_unit(bits));
         }
     }
 
-    std::string name() const override
-    {
-        const std::string randomisation = kind_ == HaltonKind::shift      ? "-shift"
-                                          : kind_ == HaltonKind::permuted ? "-permuted"
-                                                                          : "";
-        return "halton" + randomisation + ":" + bases_text(inverses_);
-    }
+    std::string name() const override { return kind_ + ":" + bases_text(inverses_); }
     int dimensions() const override { return static_cast<int>(inverses_.size()); }
     std::uint64_t item_limit() const override { return halton_limit; }
     double coordinate(std::uint64_t n, int dimension) const override
@@ -159,7 +150,7 @@ public:
     }
 
 private:
-    HaltonKind kind_;
+    std::string kind_;
     std::vector<RadicalInverse> inverses_;
     std::vector<double> shifts_;
 };
@@ -189,11 +180,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
-                                               std::uint64_t seed)
+std::unique_ptr<Sequence> make_halton_sequence(const SequenceRequest& request, const std::vector<std::uint64_t>& bases)
 {
     check_bases(bases);
-    return std::make_unique<HaltonSequence>(kind, bases, seed);
+    return std::make_unique<HaltonSequence>(request, bases);
 }
 
 std::unique_ptr<Sequence> make_hammersley_sequence(std::uint64_t count, const std::vector<std::uint64_t>& bases)

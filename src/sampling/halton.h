@@ -64,18 +64,11 @@ void RadicalInverse::for_range(std::uint64_t first, std::uint64_t count, const P
     }
 }
 
-/// Randomisations of the Halton sequence.
-enum class HaltonKind {
-    plain,    ///< none
-    shift,    ///< random shift: adds one random number per dimension, modulo 1 (Cranley and Patterson 1976)
-    permuted, ///< permutes the digits at random, with a permutation of its own for each digit position of each base
-};
-
-/// Halton sequence: the coordinates of point n are the radical inverses of n in the bases, one base per dimension. The
-/// seed has no effect on the plain kind. Throws std::invalid_argument unless the bases are pairwise coprime and between
-/// 2 and 1,000,000.
-std::unique_ptr<Sequence> make_halton_sequence(HaltonKind kind, const std::vector<std::uint64_t>& bases,
-                                               std::uint64_t seed);
+/// Halton sequence: the coordinates of point n are the radical inverses of n in the bases, one base per dimension. It
+/// is randomised by a shift, one random number per dimension that is added modulo 1 (Cranley and Patterson 1976), or by
+/// a permutation of the digits for each digit position of each base. Throws std::invalid_argument unless the bases are
+/// pairwise coprime and between 2 and 1,000,000.
+std::unique_ptr<Sequence> make_halton_sequence(const SequenceRequest& request, const std::vector<std::uint64_t>& bases);
 
 /// Hammersley point set (Hammersley 1960) of `count` points: the first coordinate of point n is n / count, the others
 /// are the radical inverses of n in the bases. It is more uniform than the Halton sequence, but needs to know the

@@ -2,6 +2,7 @@
 
 #include "sampling/random.h"
 
+#include <array>
 #include <stdexcept>
 
 namespace multipath {
@@ -25,16 +26,17 @@ constexpr std::array<Steps, most_dimensions> steps_by_dimension = {
 class KroneckerSequence final : public Sequence
 {
 public:
-    KroneckerSequence(bool shifted, std::uint64_t seed, int dimensions)
-        : shifted_(shifted),
-          dimensions_(dimensions),
-          steps_(steps_by_dimension[static_cast<std::size_t>(dimensions) - 1])
+    explicit KroneckerSequence(const SequenceRequest& request)
+        : kind_(request.kind),
+          dimensions_(request.dimensions),
+          steps_(steps_by_dimension[static_cast<std::size_t>(request.dimensions) - 1])
     {
         for (std::size_t d = 0; d < start_.size(); ++d)
-            start_[d] = shifted ? random_bits(random_key(RandomStream::kronecker, seed), d) : std::uint64_t{1} << 63;
+            start_[d] =
+                request.randomisation == Randomisation::none ? std::uint64_t{1} << 63 : request.random_bits_of(d);
     }
 
-    std::string name() const override { return shifted_ ? "kronecker-shift" : "kronecker"; }
+    std::string name() const override { return kind_; }
     int dimensions() const override { return dimensions_; }
     /// Beyond it neighbouring points are closer than doubles can resolve.
     std::uint64_t item_limit() const override { return std::uint64_t{1} << 52; }
@@ -43,18 +45,9 @@ public:
         const auto d = static_cast<std::size_t>(dimension);
         return bits_to_unit(start_[d] + n * steps_[d]); // 2^64 stands for 1: overflow is the modulo
     }
-    void generate(std::uint64_t first, std::vector<Item>& items) const override
-    {
-        std::uint64_t n = first;
-        for (Item& item : items) {
-            for (std::size_t d = 0; d < 4; ++d)
-                item[d] = bits_to_unit(start_[d] + n * steps_[d]);
-            ++n;
-        }
-    }
 
 private:
-    bool shifted_;
+    std::string kind_;
     int dimensions_;
     Steps steps_;
     Steps start_;
@@ -62,12 +55,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<Sequence> make_kronecker_sequence(bool shifted, std::uint64_t seed, int dimensions)
+std::unique_ptr<Sequence> make_kronecker_sequence(const SequenceRequest& request)
 {
-    if (dimensions > most_dimensions)
-        throw std::invalid_argument("the Kronecker sequence has 6 dimensions here, but " + std::to_string(dimensions) +
+    if (request.dimensions > most_dimensions)
+        throw std::invalid_argument("the Kronecker sequence has 6 dimensions here, but " +
+                                    std::to_string(request.dimensions) +
                                     " are wanted; halton with that many bases has more");
-    return std::make_unique<KroneckerSequence>(shifted, seed, dimensions);
+    return std::make_unique<KroneckerSequence>(request);
 }
 
 } // namespace multipath

@@ -18,8 +18,8 @@ namespace {
 class RandomSequence final : public Sequence
 {
 public:
-    RandomSequence(std::uint64_t seed, int dimensions)
-        : key_(random_key(RandomStream::random_sequence, seed)), dimensions_(static_cast<std::uint64_t>(dimensions))
+    explicit RandomSequence(const SequenceRequest& request)
+        : key_(request.key), dimensions_(static_cast<std::uint64_t>(request.dimensions))
     {
     }
 
@@ -95,9 +95,13 @@ std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensi
     return bases;
 }
 
-/// `arguments`: the number of points, also as in "2^16", and after a colon the bases of the other dimensions.
-std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, std::uint64_t /*seed*/, int dimensions)
+using SequencePointer = std::unique_ptr<Sequence>;
+
+/// Arguments: the number of points, also as in "2^16", and after a colon the bases of the other dimensions.
+SequencePointer make_hammersley(const SequenceRequest& request)
 {
+    const std::string& arguments = request.arguments;
+    const int dimensions = request.dimensions;
     const std::size_t colon = arguments.find(':');
     const std::string count = arguments.substr(0, colon);
     const std::string bases = colon == std::string::npos ? "" : arguments.substr(colon + 1);
@@ -112,36 +116,23 @@ std::unique_ptr<Sequence> make_hammersley(const std::string& arguments, std::uin
     return make_hammersley_sequence(number[0], bases_or_default(bases, dimensions - 1));
 }
 
-using SequencePointer = std::unique_ptr<Sequence>;
-
-template <SobolKind kind>
-SequencePointer make_sobol(const std::string&, std::uint64_t seed, int dimensions)
+SequencePointer make_halton(const SequenceRequest& request)
 {
-    return make_sobol_sequence(kind, seed, dimensions);
+    return make_halton_sequence(request, bases_or_default(request.arguments, request.dimensions));
 }
 
-template <HaltonKind kind>
-SequencePointer make_halton(const std::string& bases, std::uint64_t seed, int dimensions)
+SequencePointer make_random(const SequenceRequest& request)
 {
-    return make_halton_sequence(kind, bases_or_default(bases, dimensions), seed);
+    return std::make_unique<RandomSequence>(request);
 }
 
-template <bool from_random_start>
-SequencePointer make_kronecker(const std::string&, std::uint64_t seed, int dimensions)
-{
-    return make_kronecker_sequence(from_random_start, seed, dimensions);
-}
-
-SequencePointer make_random(const std::string&, std::uint64_t seed, int dimensions)
-{
-    return std::make_unique<RandomSequence>(seed, dimensions);
-}
-
-/// A kind of sequence and the function that makes it.
+/// A kind of sequence, its randomisation by one of the streams of random numbers, and the function that makes it.
 struct MadeKind
 {
     SequenceKind kind;
-    SequencePointer (*make)(const std::string& arguments, std::uint64_t seed, int dimensions);
+    Randomisation randomisation;
+    RandomStream stream;
+    SequencePointer (*make)(const SequenceRequest& request);
 };
 
 constexpr bool at_any_number = false;
@@ -149,23 +140,46 @@ constexpr bool at_powers_of_two = true;
 constexpr bool in_selftest = true;
 
 constexpr MadeKind made_kinds[] = {
-    {{"random", "", "pseudo-random numbers by counter", "random", at_any_number, in_selftest}, make_random},
-    {{"sobol", "", "Sobol's sequence", "sobol-owen", at_powers_of_two, in_selftest}, make_sobol<SobolKind::plain>},
+    {{"random", "", "pseudo-random numbers by counter", "random", at_any_number, in_selftest},
+     Randomisation::none,
+     RandomStream::random_sequence,
+     make_random},
+    {{"sobol", "", "Sobol's sequence", "sobol-owen", at_powers_of_two, in_selftest},
+     Randomisation::none,
+     RandomStream::sobol_shift,
+     make_sobol_sequence},
     {{"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift", at_powers_of_two, !in_selftest},
-     make_sobol<SobolKind::shift>},
+     Randomisation::shift,
+     RandomStream::sobol_shift,
+     make_sobol_sequence},
     {{"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen", at_powers_of_two, in_selftest},
-     make_sobol<SobolKind::owen>},
+     Randomisation::scramble,
+     RandomStream::sobol_scrambling,
+     make_sobol_sequence},
     {{"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted", at_any_number, in_selftest},
-     make_halton<HaltonKind::plain>},
+     Randomisation::none,
+     RandomStream::halton_shift,
+     make_halton},
     {{"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift", at_any_number, !in_selftest},
-     make_halton<HaltonKind::shift>},
+     Randomisation::shift,
+     RandomStream::halton_shift,
+     make_halton},
     {{"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted", at_any_number, in_selftest},
-     make_halton<HaltonKind::permuted>},
+     Randomisation::scramble,
+     RandomStream::halton_permutations,
+     make_halton},
     {{"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift", at_any_number, in_selftest},
-     make_kronecker<false>},
+     Randomisation::none,
+     RandomStream::kronecker,
+     make_kronecker_sequence},
     {{"kronecker-shift", "", "the same from a random start", "kronecker-shift", at_any_number, !in_selftest},
-     make_kronecker<true>},
-    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", "", at_any_number, !in_selftest}, make_hammersley},
+     Randomisation::shift,
+     RandomStream::kronecker,
+     make_kronecker_sequence},
+    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", "", at_any_number, !in_selftest},
+     Randomisation::none,
+     RandomStream::halton_shift,
+     make_hammersley},
 };
 
 /// "random, sobol, ... or hammersley:N[:BASES]"
@@ -210,6 +224,11 @@ void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
         next = item(first++);
 }
 
+std::uint64_t SequenceRequest::random_bits_of(std::size_t dimension) const
+{
+    return randomisation == Randomisation::none ? 0 : random_bits(key, dimension);
+}
+
 std::vector<SequenceKind> sequence_kinds()
 {
     std::vector<SequenceKind> kinds;
@@ -231,7 +250,8 @@ std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t s
         throw std::invalid_argument(
             "cannot read the sequence '" + name +
             "': " + (made.kind.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
-    return made.make(arguments.empty() ? "" : arguments.substr(1), seed, dimensions);
+    return made.make({kind, arguments.empty() ? "" : arguments.substr(1), dimensions, made.randomisation,
+                      random_key(made.stream, seed)});
 }
 
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)

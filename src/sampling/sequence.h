@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -39,6 +40,22 @@ public:
     {
         return {coordinate(n, 0), coordinate(n, 1), coordinate(n, 2), coordinate(n, 3)};
     }
+};
+
+/// How the seed changes the points of a sequence: not at all, by a shift of all points, or by a permutation of digits.
+enum class Randomisation { none, shift, scramble };
+
+/// What a sequence is made of, for the functions in the table of sequence.cpp.
+struct SequenceRequest
+{
+    std::string kind;      ///< the name of the sequence without arguments
+    std::string arguments; ///< those after the name, without the colon
+    int dimensions;
+    Randomisation randomisation;
+    std::uint64_t key; ///< of random_bits(), from the seed
+
+    /// Random bits for a dimension; 0 without a randomisation.
+    std::uint64_t random_bits_of(std::size_t dimension) const;
 };
 
 /// Hash of an item: 64 bits that can be used as random bits.

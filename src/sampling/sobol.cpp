@@ -78,26 +78,22 @@ std::size_t lowest_zero(std::uint64_t n)
 
 /// In the order of Antonov and Saleev successive points differ by one direction number, so that a walk from point to
 /// point takes one exclusive or per coordinate. The bits of the walk are reversed if they are to be scrambled.
-template <SobolKind kind>
 class SobolSequence final : public Sequence
 {
 public:
-    SobolSequence(std::uint64_t seed, int dimensions) : dimensions_(dimensions)
+    explicit SobolSequence(const SequenceRequest& request)
+        : kind_(request.kind),
+          dimensions_(request.dimensions),
+          is_scrambled_(request.randomisation == Randomisation::scramble)
     {
-        constexpr RandomStream stream =
-            kind == SobolKind::owen ? RandomStream::sobol_scrambling : RandomStream::sobol_shift;
-        if (kind != SobolKind::plain)
-            for (std::uint64_t d = 0; d < keys_.size(); ++d)
-                keys_[d] = random_bits(random_key(stream, seed), d);
+        for (std::size_t d = 0; d < keys_.size(); ++d)
+            keys_[d] = request.random_bits_of(d);
         for (std::size_t bit = 0; bit < steps_.size(); ++bit)
             for (std::size_t d = 0; d < 4; ++d)
                 steps_[bit][d] = walking(sobol::direction_numbers()[d][bit]);
     }
 
-    std::string name() const override
-    {
-        return kind == SobolKind::plain ? "sobol" : kind == SobolKind::shift ? "sobol-shift" : "sobol-owen";
-    }
+    std::string name() const override { return kind_; }
     int dimensions() const override { return dimensions_; }
     std::uint64_t item_limit() const override { return std::uint64_t{1} << sobol::index_bits; }
     double coordinate(std::uint64_t n, int dimension) const override
@@ -120,30 +116,29 @@ public:
     }
 
 private:
-    static std::uint64_t walking(std::uint64_t bits) { return kind == SobolKind::owen ? reverse_bits(bits) : bits; }
+    std::uint64_t walking(std::uint64_t bits) const { return is_scrambled_ ? reverse_bits(bits) : bits; }
     double finished(std::uint64_t bits, std::size_t dimension) const
     {
-        return bits_to_unit(kind == SobolKind::owen ? reverse_bits(scramble_reversed(bits, keys_[dimension]))
-                                                    : bits ^ keys_[dimension]);
+        return bits_to_unit(is_scrambled_ ? reverse_bits(scramble_reversed(bits, keys_[dimension]))
+                                          : bits ^ keys_[dimension]);
     }
 
+    std::string kind_;
     int dimensions_;
+    bool is_scrambled_;
     std::array<std::uint64_t, sobol::dimensions> keys_{}; ///< of the scrambling, or the shift of all points
     std::array<std::array<std::uint64_t, 4>, sobol::index_bits> steps_; ///< the first direction numbers, bit by bit
 };
 
 } // namespace
 
-std::unique_ptr<Sequence> make_sobol_sequence(SobolKind kind, std::uint64_t seed, int dimensions)
+std::unique_ptr<Sequence> make_sobol_sequence(const SequenceRequest& request)
 {
-    if (dimensions > sobol::dimensions)
-        throw std::invalid_argument("Sobol's sequence has 6 dimensions here, but " + std::to_string(dimensions) +
+    if (request.dimensions > sobol::dimensions)
+        throw std::invalid_argument("Sobol's sequence has 6 dimensions here, but " +
+                                    std::to_string(request.dimensions) +
                                     " are wanted; halton with that many bases has more");
-    if (kind == SobolKind::shift)
-        return std::make_unique<SobolSequence<SobolKind::shift>>(seed, dimensions);
-    if (kind == SobolKind::owen)
-        return std::make_unique<SobolSequence<SobolKind::owen>>(seed, dimensions);
-    return std::make_unique<SobolSequence<SobolKind::plain>>(seed, dimensions);
+    return std::make_unique<SobolSequence>(request);
 }
 
 } // namespace multipath

@@ -50,15 +50,10 @@ inline std::uint64_t scramble_reversed(std::uint64_t x, std::uint64_t key)
     return x;
 }
 
-/// Randomisations of the Sobol sequence. All keep its stratification, the number of points in each elementary interval.
-enum class SobolKind {
-    plain, ///< none
-    shift, ///< random digital shift: exclusive or with one random number per dimension
-    owen,  ///< Owen scrambling (Owen 1995): each bit is flipped at random, depending on all bits before it
-};
-
-/// Sobol sequence of one kind. The seed has no effect on the plain kind. Throws std::invalid_argument for more than six
+/// Sobol sequence. Its randomisations keep its stratification, the number of points in each elementary interval: a
+/// random digital shift (exclusive or with one random number per dimension), or Owen scrambling (Owen 1995), where each
+/// bit is flipped at random, depending on all bits before it. Throws std::invalid_argument for more than six
 /// dimensions.
-std::unique_ptr<Sequence> make_sobol_sequence(SobolKind kind, std::uint64_t seed, int dimensions);
+std::unique_ptr<Sequence> make_sobol_sequence(const SequenceRequest& request);
 
 } // namespace multipath
