@@ -87,8 +87,8 @@ void run_on_threads(int threads, const std::function<void()>& work)
 
 // Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a producer-
 // consumer pipeline: all threads produce blocks, and one thread at a time consumes the next block in order, once this
-// block is produced. At most slot_count(threads) blocks are between start and consumption, so the states of the blocks
-// live in a ring and their buffers are reused. A pause lowers the end of the run to the blocks already started.
+// block is produced. At most slot_count(threads) blocks are between start and consumption, so their buffers form a ring.
+// A pause lowers the end of the run to the blocks already started.
 
 namespace {
 
@@ -106,12 +106,10 @@ public:
           consume_(consume),
           wants_pause_(wants_pause),
           end_(end),
-          ring_(slots_),
+          is_produced_(slots_),
           started_(first),
           consumed_(first)
     {
-        for (int slot = slots; slot-- > 0;)
-            free_slots_.push_back(slot);
     }
 
     /// Loop of each thread: consumes, produces or waits until all blocks are consumed or one has failed. The thread
@@ -122,7 +120,7 @@ public:
         std::unique_lock<std::mutex> lock(mutex_);
         try {
             while (!failure_ && consumed_ < end_) {
-                const bool ready = !consuming_ && state(consumed_).produced;
+                const bool ready = !consuming_ && is_produced_[slot_of(consumed_)];
                 const bool has_work = started_ < end_ && started_ < consumed_ + slots_;
                 if (ready && (consumer_ == std::this_thread::get_id() || consumed_ == first_ || !has_work))
                     consume_next(lock);
@@ -151,26 +149,17 @@ public:
     }
 
 private:
-    /// State of a block that was started and not yet consumed.
-    struct BlockState
-    {
-        bool produced = false;
-        int slot = 0;
-    };
-
-    BlockState& state(std::uint64_t block) { return ring_[static_cast<std::size_t>(block % slots_)]; }
+    std::size_t slot_of(std::uint64_t block) const { return static_cast<std::size_t>(block % slots_); }
 
     void consume_next(std::unique_lock<std::mutex>& lock)
     {
         consuming_ = true;
         consumer_ = std::this_thread::get_id();
         const std::uint64_t block = consumed_;
-        const int slot = state(block).slot;
         lock.unlock();
-        consume_(block, slot);
+        consume_(block, static_cast<int>(slot_of(block)));
         lock.lock();
-        state(block).produced = false;
-        free_slots_.push_back(slot);
+        is_produced_[slot_of(block)] = false;
         ++consumed_;
         consuming_ = false;
         changed_.notify_all();
@@ -179,13 +168,10 @@ private:
     void produce_next(std::unique_lock<std::mutex>& lock)
     {
         const std::uint64_t block = started_++;
-        const int slot = free_slots_.back();
-        free_slots_.pop_back();
-        state(block).slot = slot;
         lock.unlock();
-        produce_(block, slot);
+        produce_(block, static_cast<int>(slot_of(block)));
         lock.lock();
-        state(block).produced = true;
+        is_produced_[slot_of(block)] = true;
         changed_.notify_all();
     }
 
@@ -197,10 +183,9 @@ private:
 
     std::mutex mutex_; ///< guards all members below
     std::condition_variable changed_;
-    std::uint64_t end_; ///< lowered to started_ when a pause is wanted
-    std::vector<BlockState> ring_;
-    std::vector<int> free_slots_; ///< stack: the slot freed last is still in the caches
-    std::thread::id consumer_;    ///< thread of the last block: its caches contain the data that consuming changes
+    std::uint64_t end_;             ///< lowered to started_ when a pause is wanted
+    std::vector<bool> is_produced_; ///< by slot, of the block that was started and not yet consumed
+    std::thread::id consumer_;      ///< thread of the last block: its caches contain the data that consuming changes
     std::uint64_t started_;
     std::uint64_t consumed_;
     bool consuming_ = false;
