@@ -312,92 +312,82 @@ void add_pieces(Part part, const Surface& surface, std::vector<SurfacePiece>& pi
     pieces.push_back({Shape::triangle, part[0], part[1], part[2]});
 }
 
-/// Searches the surfaces of a scene for partition lines.
-class PartitionSearch
+/// Contacts of a surface with all others, longest first. `boxes`: the bounds of all surfaces.
+std::vector<Contact> contacts_of(std::uint32_t s, const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
+                                 const PartitionLimits& limits)
 {
-public:
-    PartitionSearch(const SurfaceList& surfaces, bool two_sided)
-        : surfaces_(surfaces), limits_{bounds_of(surfaces).diagonal(), two_sided}
-    {
-        for (const Surface& surface : surfaces)
-            boxes_.push_back(surface.bounds());
+    const SurfacePlane plane(surfaces[s]);
+    Bounds around = boxes[s];
+    const Vec3 margin = {limits.touching(), limits.touching(), limits.touching()};
+    around.include(around.low - margin);
+    around.include(around.high + margin);
+    std::vector<Contact> contacts;
+    for (std::uint32_t other = 0; other < surfaces.size(); ++other)
+        if (other != s && overlap(around, boxes[other]))
+            if (const auto found = contact_with(plane, surfaces[other], limits))
+                contacts.push_back(*found);
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const Contact& a, const Contact& b) { return a.size() > b.size(); });
+    return contacts;
+}
+
+/// The lines that divide a surface with these contacts, longest first.
+std::vector<ContactLine> partition_lines(const Surface& surface, const std::vector<Contact>& contacts,
+                                         const PartitionLimits& limits)
+{
+    const SurfacePlane plane(surface);
+    const std::vector<ContactLine> all = contact_lines(contacts, limits);
+    const auto divides = [&](const ContactLine& line) {
+        return line.longest.size() >= limits.contact() &&
+               divided(whole(surface.shape), plane, surface, line, limits).has_value();
+    };
+    // One cut is enough for a slim solid, and none if the solid covers the surface up to its border.
+    std::vector<ContactLine> lines;
+    for (const ContactLine& line : all) {
+        const ContactLine* other = divides(line) ? other_side(line, all, limits) : nullptr;
+        if (other ? is_slim(line, *other) && divides(*other) && &line < other : divides(line))
+            lines.push_back(line);
     }
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const ContactLine& a, const ContactLine& b) { return a.longest.size() > b.longest.size(); });
+    return lines;
+}
 
-    const PartitionLimits& limits() const { return limits_; }
-
-    /// Calls see(surface, lines) for each surface that partition lines divide, the largest surface first. Returns false
-    /// if the search was cut short.
-    template <class See>
-    bool for_each_divided(const See& see) const
-    {
-        bool complete = true;
-        double box_tests = 0.0;
-        for (const std::uint32_t s : order_by_descending_area(surfaces_)) {
-            if (boxes_[s].diagonal() < limits_.surface())
-                continue;
-            if (box_tests > most_box_tests)
-                return false;
-            box_tests += static_cast<double>(surfaces_.size());
-            std::vector<Contact> contacts = contacts_of(s);
-            if (contacts.size() > most_contacts) {
-                complete = false;
-                contacts.resize(most_contacts);
-            }
-            // A pair of contacts takes some four times as long as a pair of boxes.
-            box_tests += 4.0 * static_cast<double>(contacts.size()) * static_cast<double>(contacts.size());
-            const std::vector<ContactLine> lines = partition_lines(s, contacts);
-            if (!lines.empty())
-                see(s, lines);
-        }
-        return complete;
-    }
-
-private:
-    /// Contacts of a surface with all others, longest first.
-    std::vector<Contact> contacts_of(std::uint32_t s) const
-    {
-        const SurfacePlane plane(surfaces_[s]);
-        Bounds around = boxes_[s];
-        const Vec3 margin = {limits_.touching(), limits_.touching(), limits_.touching()};
-        around.include(around.low - margin);
-        around.include(around.high + margin);
-        std::vector<Contact> contacts;
-        for (std::uint32_t other = 0; other < surfaces_.size(); ++other)
-            if (other != s && overlap(around, boxes_[other]))
-                if (const auto found = contact_with(plane, surfaces_[other], limits_))
-                    contacts.push_back(*found);
-        std::stable_sort(contacts.begin(), contacts.end(),
-                         [](const Contact& a, const Contact& b) { return a.size() > b.size(); });
-        return contacts;
-    }
-
-    /// The lines that divide the surface, longest first.
-    std::vector<ContactLine> partition_lines(std::uint32_t s, const std::vector<Contact>& contacts) const
-    {
-        const Surface& surface = surfaces_[s];
-        const SurfacePlane plane(surface);
-        const std::vector<ContactLine> all = contact_lines(contacts, limits_);
-        const auto divides = [&](const ContactLine& line) {
-            return line.longest.size() >= limits_.contact() &&
-                   divided(whole(surface.shape), plane, surface, line, limits_).has_value();
-        };
-        // One cut is enough for a slim solid, and none if the solid covers the surface up to its border.
-        std::vector<ContactLine> lines;
-        for (const ContactLine& line : all) {
-            const ContactLine* other = divides(line) ? other_side(line, all, limits_) : nullptr;
-            if (other ? is_slim(line, *other) && divides(*other) && &line < other : divides(line))
-                lines.push_back(line);
-        }
-        std::stable_sort(lines.begin(), lines.end(), [](const ContactLine& a, const ContactLine& b) {
-            return a.longest.size() > b.longest.size();
-        });
-        return lines;
-    }
-
-    const SurfaceList& surfaces_;
-    PartitionLimits limits_;
-    LargeVector<Bounds> boxes_;
+/// The surfaces that partition lines divide, the largest first, each with its lines, the longest first.
+struct DividedSurfaces
+{
+    std::vector<std::pair<std::uint32_t, std::vector<ContactLine>>> list;
+    bool complete = true; ///< false if the search was cut short
 };
+
+DividedSurfaces divided_surfaces(const SurfaceList& surfaces, const PartitionLimits& limits)
+{
+    LargeVector<Bounds> boxes;
+    for (const Surface& surface : surfaces)
+        boxes.push_back(surface.bounds());
+    DividedSurfaces found;
+    double box_tests = 0.0;
+    for (const std::uint32_t s : order_by_descending_area(surfaces)) {
+        if (boxes[s].diagonal() < limits.surface())
+            continue;
+        if (box_tests > most_box_tests) {
+            found.complete = false;
+            break;
+        }
+        box_tests += static_cast<double>(surfaces.size());
+        std::vector<Contact> contacts = contacts_of(s, surfaces, boxes, limits);
+        if (contacts.size() > most_contacts) {
+            found.complete = false;
+            contacts.resize(most_contacts);
+        }
+        // A pair of contacts takes some four times as long as a pair of boxes.
+        box_tests += 4.0 * static_cast<double>(contacts.size()) * static_cast<double>(contacts.size());
+        std::vector<ContactLine> lines = partition_lines(surfaces[s], contacts, limits);
+        if (!lines.empty())
+            found.list.emplace_back(s, std::move(lines));
+    }
+    return found;
+}
 
 std::vector<SurfacePiece> pieces_of(const Surface& surface, const std::vector<ContactLine>& lines,
                                     const PartitionLimits& limits)
@@ -421,10 +411,11 @@ std::vector<SurfacePiece> pieces_of(const Surface& surface, const std::vector<Co
 PartitionedSurfaces find_partitioned_surfaces(const SurfaceList& surfaces, bool two_sided)
 {
     PartitionedSurfaces result;
-    result.complete =
-        PartitionSearch(surfaces, two_sided).for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>&) {
-            result.surfaces.push_back(s);
-        });
+    const PartitionLimits limits = {bounds_of(surfaces).diagonal(), two_sided};
+    const DividedSurfaces found = divided_surfaces(surfaces, limits);
+    for (const auto& divided : found.list)
+        result.surfaces.push_back(divided.first);
+    result.complete = found.complete;
     return result;
 }
 
@@ -432,16 +423,17 @@ PartitionCuts cut_at_partitions(SceneFile& file, bool two_sided)
 {
     PartitionCuts cuts;
     const std::size_t most_added = 1024 + file.surfaces.size() / 8;
+    const PartitionLimits limits = {bounds_of(file.surfaces).diagonal(), two_sided};
     std::map<std::uint32_t, std::vector<SurfacePiece>> cut;
-    const PartitionSearch search(file.surfaces, two_sided);
-    search.for_each_divided([&](std::uint32_t s, const std::vector<ContactLine>& lines) {
-        std::vector<SurfacePiece> pieces = pieces_of(file.surfaces[s], lines, search.limits());
+    const DividedSurfaces found = divided_surfaces(file.surfaces, limits);
+    for (const auto& [s, lines] : found.list) {
+        std::vector<SurfacePiece> pieces = pieces_of(file.surfaces[s], lines, limits);
         if (cuts.pieces + pieces.size() > most_added + cuts.surfaces + 1)
-            return;
+            continue;
         ++cuts.surfaces;
         cuts.pieces += pieces.size();
         cut.emplace(s, std::move(pieces));
-    });
+    }
     if (cut.empty())
         return cuts;
 
