@@ -41,22 +41,34 @@ double solid_angle(const Surface& surface, Vec3 from)
     return solid_angle(a, b, c) + solid_angle(a, c, d);
 }
 
-double small_distance(const Bounds& scene)
+/// A scene some of whose surfaces are turned over.
+struct TurnedScene
 {
-    return 1e-5 * scene.diagonal();
-}
+    const SceneFile& file;
+    const Intersector& intersector;
+    bool two_sided;
+    std::vector<char> turned;                 ///< per surface
+    std::vector<std::uint32_t> surfaces = {}; ///< without the sky
+    std::vector<std::uint32_t> lamps = {};    ///< surfaces that emit
+    Bounds bounds = {};                       ///< without the sky
+
+    const Material& material(std::uint32_t surface) const { return file.materials[file.material[surface]]; }
+    Vec3 normal(std::uint32_t surface, bool front) const
+    {
+        const Vec3 normal = file.surfaces[surface].normal();
+        return front != (turned[surface] != 0) ? normal : -normal;
+    }
+    double small_distance() const { return 1e-5 * bounds.diagonal(); }
+};
 
 /// The connected parts of a scene, without the sky. A part is named by the index of its first surface.
 class Parts
 {
 public:
-    /// `all`: the bounds of the scene without the sky.
-    Parts(const SceneFile& file, const Bounds& all) : surfaces_(file.surfaces), all_(all)
+    explicit Parts(const TurnedScene& scene)
+        : scene_(scene), part_(connected_parts(scene.file.surfaces, scene.bounds)), members_(scene.surfaces.size())
     {
-        part_ = connected_parts(surfaces_, all_);
-        part_.resize(file.own_surfaces());
-        members_.resize(part_.size());
-        for (std::uint32_t s = 0; s < part_.size(); ++s)
+        for (const std::uint32_t s : scene.surfaces)
             members_[part_[s]].push_back(s);
     }
 
@@ -69,7 +81,7 @@ public:
     {
         double sum = 0.0;
         for (const std::uint32_t s : members_[part])
-            sum += surfaces_[s].area();
+            sum += scene_.file.surfaces[s].area();
         return sum;
     }
 
@@ -88,11 +100,11 @@ public:
     /// The winding number of a surface's part around a point directly behind the surface.
     double winding_behind(std::uint32_t surface) const
     {
-        const Surface& face = surfaces_[surface];
-        const Vec3 point = face.centre() - small_distance(all_) * face.normal();
+        const Surface& face = scene_.file.surfaces[surface];
+        const Vec3 point = face.centre() - scene_.small_distance() * face.normal();
         double sum = 0.0;
         for (const std::uint32_t s : members_[part_[surface]])
-            sum += solid_angle(surfaces_[s], point);
+            sum += solid_angle(scene_.file.surfaces[s], point);
         return sum / (4.0 * pi);
     }
 
@@ -100,14 +112,14 @@ public:
     {
         Bounds bounds;
         for (const std::uint32_t s : members_[part])
-            bounds.include(surfaces_[s].bounds());
-        const double tolerance = 1e-3 * all_.diagonal();
-        return length(bounds.low - all_.low) <= tolerance && length(bounds.high - all_.high) <= tolerance;
+            bounds.include(scene_.file.surfaces[s].bounds());
+        const double tolerance = 1e-3 * scene_.bounds.diagonal();
+        return length(bounds.low - scene_.bounds.low) <= tolerance &&
+               length(bounds.high - scene_.bounds.high) <= tolerance;
     }
 
 private:
-    const SurfaceList& surfaces_;
-    Bounds all_;
+    const TurnedScene& scene_;
     std::vector<std::uint32_t> part_;
     std::vector<std::vector<std::uint32_t>> members_; ///< indexed by part
 };
@@ -126,27 +138,16 @@ struct Arrivals
     }
 };
 
-/// Random paths of light through a scene some of whose surfaces are turned over.
+/// Random paths of light through a scene.
 class LightPaths
 {
 public:
-    /// `aside`: distance that is small in this scene.
-    LightPaths(const SceneFile& file, const Intersector& intersector, bool two_sided, const std::vector<char>& turned,
-               double aside)
-        : file_(file),
-          intersector_(intersector),
-          two_sided_(two_sided),
-          turned_(turned),
-          aside_(aside),
-          arrivals_(turned.size())
-    {
-    }
+    explicit LightPaths(const TurnedScene& scene) : scene_(scene), arrivals_(scene.turned.size()) {}
 
     /// Follows `count` paths from the lamps, and as many from sky and sun to the `receivers`.
-    Arrivals follow(std::size_t count, const std::vector<std::uint32_t>& lamps,
-                    const std::vector<std::uint32_t>& receivers)
+    Arrivals follow(std::size_t count, const std::vector<std::uint32_t>& receivers)
     {
-        meet_surfaces(start_at_lamps(count, lamps));
+        meet_surfaces(start_at_lamps(count));
         start_outside(count, receivers);
         constexpr int most_reflections = 8;
         for (int reflection = 0; reflection < most_reflections && !rays_.empty(); ++reflection)
@@ -155,12 +156,6 @@ public:
     }
 
 private:
-    Vec3 normal(std::uint32_t surface, bool front) const
-    {
-        const Vec3 normal = file_.surfaces[surface].normal();
-        return front != (turned_[surface] != 0) ? normal : -normal;
-    }
-
     void start(std::uint32_t surface, const Line& ray)
     {
         from_.push_back(surface);
@@ -170,14 +165,15 @@ private:
     /// Every lamp, however weak, begins as many paths, or every k-th lamp begins one. They begin a little in front,
     /// since a lamp in the plane of a ceiling that looks upward would touch its front. Returns the area [m^2] for which
     /// each stands.
-    std::vector<double> start_at_lamps(std::size_t count, const std::vector<std::uint32_t>& lamps)
+    std::vector<double> start_at_lamps(std::size_t count)
     {
+        const std::vector<std::uint32_t>& lamps = scene_.lamps;
         std::vector<double> areas;
         for (std::size_t k = 0; k < count && !lamps.empty(); ++k) {
             const std::uint32_t lamp = lamps[k * lamps.size() / count];
-            const Surface& surface = file_.surfaces[lamp];
-            const Vec3 front = normal(lamp, true);
-            const Vec3 point = random_.point(surface) + aside_ * front;
+            const Surface& surface = scene_.file.surfaces[lamp];
+            const Vec3 front = scene_.normal(lamp, true);
+            const Vec3 point = random_.point(surface) + scene_.small_distance() * front;
             start(Intersector::no_surface, {point, random_.direction(front)});
             areas.push_back(surface.area() * static_cast<double>(lamps.size()) / static_cast<double>(count));
         }
@@ -188,13 +184,13 @@ private:
     /// of the paths are spread over their number, the others over their area.
     void start_outside(std::size_t count, const std::vector<std::uint32_t>& receivers)
     {
-        if (file_.sky_surfaces == 0 && !file_.sun)
+        if (scene_.file.sky_surfaces == 0 && !scene_.file.sun)
             return;
         std::vector<double> area_before; // [m^2]
         double area = 0.0;
         for (const std::uint32_t s : receivers) {
             area_before.push_back(area);
-            area += file_.surfaces[s].area();
+            area += scene_.file.surfaces[s].area();
         }
         const auto chosen = [&](std::size_t k) {
             if (k % 2 == 0)
@@ -207,15 +203,15 @@ private:
         std::vector<Line> rays;
         for (std::size_t k = 0; k < count; ++k) {
             from.push_back(receivers[chosen(k)]);
-            const bool to_sun = file_.sun && (file_.sky_surfaces == 0 || random_.number() < 0.5);
-            const Vec3 side = normal(from.back(), random_.number() < 0.5);
-            const Vec3 point = random_.point(file_.surfaces[from.back()]);
-            rays.push_back({point, to_sun ? file_.sun->direction : random_.direction(side)});
+            const bool to_sun = scene_.file.sun && (scene_.file.sky_surfaces == 0 || random_.number() < 0.5);
+            const Vec3 side = scene_.normal(from.back(), random_.number() < 0.5);
+            const Vec3 point = random_.point(scene_.file.surfaces[from.back()]);
+            rays.push_back({point, to_sun ? scene_.file.sun->direction : random_.direction(side)});
         }
-        intersector_.closest_hits_from(from.data(), rays.data(), count, hits_);
+        scene_.intersector.closest_hits_from(from.data(), rays.data(), count, hits_);
         for (std::size_t k = 0; k < count; ++k)
-            if (!hits_.is_hit(k) || hits_[k].surface >= file_.own_surfaces())
-                arrive(from[k], dot(rays[k].direction, normal(from[k], true)) > 0.0, rays[k].origin, 0.0);
+            if (!hits_.is_hit(k) || hits_[k].surface >= scene_.file.own_surfaces())
+                arrive(from[k], dot(rays[k].direction, scene_.normal(from[k], true)) > 0.0, rays[k].origin, 0.0);
     }
 
     /// Follows all rays to the next surface. `lamp_areas`: [m^2] of the lamps for which they stand.
@@ -225,31 +221,27 @@ private:
         const std::vector<Line> rays = std::move(rays_);
         from_.clear();
         rays_.clear();
-        intersector_.closest_hits_from(from.data(), rays.data(), rays.size(), hits_);
+        scene_.intersector.closest_hits_from(from.data(), rays.data(), rays.size(), hits_);
         for (std::size_t k = 0; k < rays.size(); ++k)
-            if (hits_.is_hit(k) && hits_[k].surface < file_.own_surfaces())
-                arrive(hits_[k].surface, hits_[k].front != (turned_[hits_[k].surface] != 0), rays[k].at(hits_[k].t),
-                       lamp_areas[k]);
+            if (hits_.is_hit(k) && hits_[k].surface < scene_.file.own_surfaces())
+                arrive(hits_[k].surface, hits_[k].front != (scene_.turned[hits_[k].surface] != 0),
+                       rays[k].at(hits_[k].t), lamp_areas[k]);
     }
 
     /// Counts the arrival, and reflects a share of the paths by Russian roulette.
     void arrive(std::uint32_t surface, bool front, Vec3 point, double lamp_area)
     {
-        if (!front && !two_sided_) {
+        if (!front && !scene_.two_sided) {
             ++arrivals_.backs[surface];
             arrivals_.lamps[surface] += lamp_area;
             return;
         }
         ++arrivals_.fronts[surface];
-        if (random_.number() < mean(file_.materials[file_.material[surface]].reflectance))
-            start(surface, {point, random_.direction(normal(surface, front))});
+        if (random_.number() < mean(scene_.material(surface).reflectance))
+            start(surface, {point, random_.direction(scene_.normal(surface, front))});
     }
 
-    const SceneFile& file_;
-    const Intersector& intersector_;
-    bool two_sided_;
-    const std::vector<char>& turned_; ///< per surface
-    double aside_;
+    const TurnedScene& scene_;
     Arrivals arrivals_;
     RandomRay random_;
     std::vector<std::uint32_t> from_; ///< per ray: the surface on which it starts
@@ -262,31 +254,28 @@ class Facing
 {
 public:
     Facing(const SceneFile& file, const Intersector& intersector, bool two_sided)
-        : file_(file),
-          intersector_(intersector),
-          two_sided_(two_sided),
-          turned_(file.surfaces.size()),
-          all_(file.own_surfaces())
+        : scene_{file, intersector, two_sided, std::vector<char>(file.surfaces.size())}
     {
-        std::iota(all_.begin(), all_.end(), 0u);
-        for (const std::uint32_t s : all_) {
-            bounds_.include(file.surfaces[s].bounds());
+        for (std::uint32_t s = 0; s < file.own_surfaces(); ++s) {
+            scene_.surfaces.push_back(s);
+            scene_.bounds.include(file.surfaces[s].bounds());
             if (emits(s))
-                lamps_.push_back(s);
+                scene_.lamps.push_back(s);
         }
     }
 
     std::vector<std::uint32_t> turned()
     {
-        if (lamps_.size() == all_.size())
+        if (scene_.lamps.size() == scene_.surfaces.size())
             return {};
         bool changed = true; // what was turned may reflect light to other surfaces
         while (changed) {
-            const Arrivals light = follow(few_paths, all_);
+            const Arrivals light = LightPaths(scene_).follow(few_paths, scene_.surfaces);
             changed = turn_closed_parts(light) || (!light.any(light.fronts) && turn_dark_scene(light));
         }
         std::vector<std::uint32_t> result;
-        std::copy_if(all_.begin(), all_.end(), std::back_inserter(result), [&](std::uint32_t s) { return turned_[s]; });
+        std::copy_if(scene_.surfaces.begin(), scene_.surfaces.end(), std::back_inserter(result),
+                     [&](std::uint32_t s) { return scene_.turned[s] != 0; });
         return result;
     }
 
@@ -294,18 +283,12 @@ private:
     static constexpr std::size_t few_paths = 1 << 12;  ///< to find what may look away from the light
     static constexpr std::size_t many_paths = 1 << 14; ///< to decide
 
-    Arrivals follow(std::size_t paths, const std::vector<std::uint32_t>& receivers) const
-    {
-        return LightPaths(file_, intersector_, two_sided_, turned_, small_distance(bounds_))
-            .follow(paths, lamps_, receivers);
-    }
-
-    bool emits(std::uint32_t s) const { return file_.materials[file_.material[s]].emittance != Rgb{}; }
+    bool emits(std::uint32_t s) const { return scene_.material(s).emittance != Rgb{}; }
 
     const Parts& parts()
     {
         if (!parts_)
-            parts_.emplace(file_, bounds_);
+            parts_.emplace(scene_);
         return *parts_;
     }
 
@@ -336,13 +319,13 @@ private:
             return false;
         std::vector<std::uint32_t> candidates, receivers;
         for (std::uint32_t part = 0; part < parts().end(); ++part)
-            if (is_lit_from_behind(part, seen) && !turned_[part] && parts().is_closed(part)) {
+            if (is_lit_from_behind(part, seen) && !scene_.turned[part] && parts().is_closed(part)) {
                 candidates.push_back(part);
                 receivers.insert(receivers.end(), parts().members(part).begin(), parts().members(part).end());
             }
         if (candidates.empty())
             return false;
-        const Arrivals light = follow(many_paths, receivers);
+        const Arrivals light = LightPaths(scene_).follow(many_paths, receivers);
         bool any = false;
         for (const std::uint32_t part : candidates)
             if (is_lit_from_behind(part, light) && !is_housing(part, light)) {
@@ -360,9 +343,9 @@ private:
         for (std::uint32_t part = 0; part < parts().end(); ++part)
             if (!parts().members(part).empty() && !parts().is_closed(part))
                 for (const std::uint32_t s : parts().members(part))
-                    if (!emits(s) && !turned_[s])
+                    if (!emits(s) && !scene_.turned[s])
                         open.push_back(s);
-        const Arrivals light = follow(many_paths, all_);
+        const Arrivals light = LightPaths(scene_).follow(many_paths, scene_.surfaces);
         if (light.any(light.fronts) ||
             std::none_of(open.begin(), open.end(), [&](std::uint32_t s) { return light.backs[s] > 0; }))
             return false;
@@ -372,12 +355,13 @@ private:
 
     bool turn_bright_room()
     {
-        if (lamps_.empty())
+        if (scene_.lamps.empty())
             return false;
-        const std::uint32_t part = parts().of(lamps_[0]);
+        const std::uint32_t part = parts().of(scene_.lamps[0]);
         const auto is_own = [&](std::uint32_t lamp) { return parts().of(lamp) == part; };
-        if (turned_[part] || !std::all_of(lamps_.begin(), lamps_.end(), is_own) || !parts().reaches_all_sides(part) ||
-            !parts().is_closed(part) || parts().winding_behind(lamps_[0]) < 0.5)
+        if (scene_.turned[part] || !std::all_of(scene_.lamps.begin(), scene_.lamps.end(), is_own) ||
+            !parts().reaches_all_sides(part) || !parts().is_closed(part) ||
+            parts().winding_behind(scene_.lamps[0]) < 0.5)
             return false;
         turn(parts().members(part));
         return true;
@@ -386,17 +370,11 @@ private:
     void turn(const std::vector<std::uint32_t>& surfaces)
     {
         for (const std::uint32_t s : surfaces)
-            turned_[s] = 1;
+            scene_.turned[s] = 1;
     }
 
-    const SceneFile& file_;
-    const Intersector& intersector_;
-    bool two_sided_;
-    std::vector<char> turned_;         ///< per surface
-    Bounds bounds_;                    ///< without the sky
-    std::vector<std::uint32_t> all_;   ///< surfaces without the sky
-    std::vector<std::uint32_t> lamps_; ///< those that emit
-    std::optional<Parts> parts_;       ///< costly, and seldom needed
+    TurnedScene scene_;
+    std::optional<Parts> parts_; ///< costly, and seldom needed
 };
 
 } // namespace
