@@ -17,7 +17,7 @@ constexpr int exit_interrupted = 130;
 
 /// What the user can change to avoid a problem with a scene. Only the commands know by which options: remedy_options in
 /// commands/options/scene_options.cpp, in the same order.
-enum class Remedy { patch_size, two_sided, flip, lamp, sky, sun, reflectance_limit, emission_from };
+enum class Remedy { patch_size, two_sided, flip, lamp, sky, sun, reflectance_limit };
 
 /// A remedy that an error or a finding proposes. The commands add it to the message, with its option.
 struct Advice

@@ -9,9 +9,11 @@
 #include "scene/tessellation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -103,11 +105,11 @@ constexpr std::size_t most_names = 4; ///< names in a list
 constexpr std::size_t most_coincident_pairs = 10000;
 /// Least share [1] of the power of the sources, or of the area of the surfaces, at which a finding is an error: the
 /// fault makes the result wrong. A fault with a smaller share changes the result by less than one step of an 8-bit
-/// picture, and by less than the noise of most runs. The share does not matter for some kinds: "trapped" is always an
-/// error, while "open", "reflectance" and findings without a share are always remarks.
+/// picture, and by less than the noise of most runs.
 constexpr double share_that_matters = 0.005;
-
 constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller losses are not reported
+/// Kinds of findings that are remarks whatever their share.
+constexpr std::array<std::string_view, 3> remarks = {"open", "reflectance", "partition"};
 
 const std::vector<Advice> turn_all = {{Remedy::flip, "", "turns all faces over"}};
 
@@ -154,6 +156,9 @@ public:
         scale();
         coarse_patches();
         partitions();
+        for (Finding& finding : findings_)
+            finding.makes_wrong_result = std::max(finding.power_share, finding.area_share) >= share_that_matters &&
+                                         std::find(remarks.begin(), remarks.end(), finding.kind) == remarks.end();
         std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
             return std::tie(a.makes_wrong_result, a.power_share, a.area_share) >
                    std::tie(b.makes_wrong_result, b.power_share, b.area_share);
@@ -162,18 +167,10 @@ public:
     }
 
 private:
-    void add_note(const char* kind, const std::string& place, const std::string& message, double power_share = 0.0,
-                  double area_share = 0.0, const std::vector<Advice>& advice = {})
+    void add(const char* kind, const std::string& place, const std::string& message, double power_share = 0.0,
+             double area_share = 0.0, const std::vector<Advice>& advice = {})
     {
-        findings_.push_back({kind, false, place, message, power_share, area_share, advice});
-    }
-
-    /// Adds a finding that makes the result wrong if one of the shares reaches share_that_matters.
-    void add_weighed(const char* kind, const std::string& place, const std::string& message, double power_share,
-                     double area_share, const std::vector<Advice>& advice = {})
-    {
-        add_note(kind, place, message, power_share, area_share, advice);
-        findings_.back().makes_wrong_result = std::max(power_share, area_share) >= share_that_matters;
+        findings_.push_back({kind, place, message, power_share, area_share, advice});
     }
 
     std::string place_of(std::uint32_t surface) const { return file_.path + ":" + std::to_string(file_.line[surface]); }
@@ -221,12 +218,11 @@ private:
     {
         if (!report_.trapped)
             return;
-        add_note("trapped", place_of(scene_.surface_of(*report_.trapped)),
-                 "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` refuses the "
-                 "scene; lower Kd of '" +
-                     scene_.material_of(*report_.trapped).name + "'",
-                 1.0);
-        findings_.back().makes_wrong_result = true;
+        add("trapped", place_of(scene_.surface_of(*report_.trapped)),
+            "light is trapped among surfaces that reflect all of it: it has no bound, and `solve` refuses the scene; "
+            "lower Kd of '" +
+                scene_.material_of(*report_.trapped).name + "'",
+            1.0);
     }
 
     void idle_emitters()
@@ -242,12 +238,11 @@ private:
             return;
         const double part = idle_power / mean(scene_.source_power());
         const bool inside_out = is_inside_out(scene_, survey_);
-        add_weighed("emitter", place_of(idle[0]),
-                    format("emitters that light nothing, facing away from everything (%.3g %% of the source power): ",
-                           100.0 * part) +
-                        names_of(idle) +
-                        (inside_out ? "; the scene is inside out" : "; reverse the order of their corners"),
-                    part, 0.0, inside_out ? turn_all : std::vector<Advice>{});
+        add("emitter", place_of(idle[0]),
+            format("emitters that light nothing, facing away from everything (%.3g %% of the source power): ",
+                   100.0 * part) +
+                names_of(idle) + (inside_out ? "; the scene is inside out" : "; reverse the order of their corners"),
+            part, 0.0, inside_out ? turn_all : std::vector<Advice>{});
     }
 
     void lost_behind()
@@ -264,15 +259,15 @@ private:
             if (s == surfaces[0] || percent >= 1.0)
                 text += (s == surfaces[0] ? "" : ", ") + name_of(s) + format(" %.0f %%", percent);
         }
-        const std::string place = place_of(surfaces[0]);
-        if (lost < share_that_matters)
-            return add_weighed("behind", place, text + ", too little to matter", lost, 0.0);
-        std::vector<Advice> advice = is_inside_out(scene_, survey_) ? turn_all : std::vector<Advice>{};
-        advice.push_back({Remedy::two_sided, "", "gives every face a back"});
-        add_weighed("behind", place,
-                    text + "; reverse these faces if they look the wrong way, or close the solids that they belong to "
-                           "(a box on the floor needs its bottom, a lamp its back)",
-                    lost, 0.0, advice);
+        const bool matters = lost >= share_that_matters;
+        std::vector<Advice> advice = matters && is_inside_out(scene_, survey_) ? turn_all : std::vector<Advice>{};
+        if (matters)
+            advice.push_back({Remedy::two_sided, "", "gives every face a back"});
+        add("behind", place_of(surfaces[0]),
+            text + (matters ? "; reverse these faces if they look the wrong way, or close the solids that they belong "
+                              "to (a box on the floor needs its bottom, a lamp its back)"
+                            : ", too little to matter"),
+            lost, 0.0, advice);
     }
 
     void escaping()
@@ -281,17 +276,13 @@ private:
         if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
         const std::vector<std::uint32_t> open = surfaces_with_open_edges(scene_.surfaces());
-        const std::string place = open.empty() ? file_.path : place_of(open[0]);
         const bool is_open = lost >= 0.01;
         const std::string text = format("%.3g %% of the power escapes", 100.0 * lost) +
                                  (is_open                      ? ": the scene is open"
                                   : lost >= share_that_matters ? ": the scene looks closed but leaks; close the gaps"
                                                                : " through gaps, too little to matter") +
                                  (open.empty() ? "" : "; open edges: " + names_of(open));
-        if (is_open)
-            add_note("open", place, text, lost);
-        else
-            add_weighed("leak", place, text, lost, 0.0);
+        add(is_open ? "open" : "leak", open.empty() ? file_.path : place_of(open[0]), text, lost);
     }
 
     /// True if two surfaces have the same bounds and centre, as those of equal corners in another order have, and the
@@ -325,20 +316,20 @@ private:
                 hidden_power += power(smaller);
             }
         }
-        const auto add = [&](const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& what,
-                             double power_share = 0.0, double area_share = 0.0) {
+        const auto add_pairs = [&](const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& what,
+                                   double power_share = 0.0, double area_share = 0.0) {
             if (!pairs.empty())
-                add_weighed(kind, place_of(pairs[0].second),
-                            (found.complete ? "" : "at least ") + counted(pairs.size(), "pair") + " of faces " + what +
-                                ": " + name_of(pairs[0].first) + " and " + name_of(pairs[0].second),
-                            power_share, area_share);
+                add(kind, place_of(pairs[0].second),
+                    (found.complete ? "" : "at least ") + counted(pairs.size(), "pair") + " of faces " + what + ": " +
+                        name_of(pairs[0].first) + " and " + name_of(pairs[0].second),
+                    power_share, area_share);
         };
-        add("duplicate", hiding,
-            "lie in one place and face the same way, so the smaller hides the larger where they overlap; remove one or "
-            "move it",
-            hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
-        add("copy", equal, "are the same twice, of which one counts");
-        add("coincident", touching, "touch with their fronts or backs, which is handled");
+        add_pairs("duplicate", hiding,
+                  "lie in one place and face the same way, so the smaller hides the larger where they overlap; remove "
+                  "one or move it",
+                  hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
+        add_pairs("copy", equal, "are the same twice, of which one counts");
+        add_pairs("coincident", touching, "touch with their fronts or backs, which is handled");
     }
 
     /// Adds a finding about the materials that satisfy a condition, with their share of the area.
@@ -360,7 +351,7 @@ private:
             all += areas[m];
         }
         if (!names.empty())
-            add_weighed(kind, place, flaw + list_of(names) + advice, 0.0, all / area_of_surfaces());
+            add(kind, place, flaw + list_of(names) + advice, 0.0, all / area_of_surfaces());
     }
 
     void unknown_materials()
@@ -380,22 +371,19 @@ private:
         double brightest = 0.0;
         for (const Material& m : file_.materials)
             brightest = std::max(brightest, brightness(m));
-        const std::size_t before = findings_.size();
         add_materials(
             "reflectance", [&](const Material& m) { return brightness(m) >= 0.95; },
             format("materials that reflect up to %.0f %% of the light, more than any paint: ", 100.0 * brightest),
             "; multiplied over many reflections this decides the brightness, so lower Kd if it is not meant");
-        if (findings_.size() > before)
-            findings_.back().makes_wrong_result = false;
     }
 
     void depth()
     {
         if (report_.trial_lines < report_.wanted_lines)
-            add_note("depth", file_.path,
-                     "very many faces lie on or behind each other, so " + grouped(report_.trial_lines) +
-                         " lines were cast for the figures instead of " + grouped(report_.wanted_lines) +
-                         "; every line takes as much longer");
+            add("depth", file_.path,
+                "very many faces lie on or behind each other, so " + grouped(report_.trial_lines) +
+                    " lines were cast for the figures instead of " + grouped(report_.wanted_lines) +
+                    "; every line takes as much longer");
     }
 
     void reader_flaws()
@@ -404,14 +392,11 @@ private:
         for (const std::string& unused : file_.unused_materials)
             names.push_back(unused.substr(unused.rfind(": ") + 2));
         if (!names.empty())
-            add_note("unused-material", file_.unused_materials[0].substr(0, file_.unused_materials[0].rfind(": ")),
-                     "materials that no face uses: " + list_of(names));
-        if (file_.dropped_faces > 0)
-            add_note("zero-area", file_.path, counted(file_.dropped_faces, "face") + " without an area dropped");
+            add("unused-material", file_.unused_materials[0].substr(0, file_.unused_materials[0].rfind(": ")),
+                "materials that no face uses: " + list_of(names));
         for (const std::string& warning : file_.warnings) {
             const std::size_t colon = warning.find(": ");
-            add_note("reader", warning.substr(0, colon),
-                     colon == std::string::npos ? warning : warning.substr(colon + 2));
+            add("reader", warning.substr(0, colon), warning.substr(colon == std::string::npos ? 0 : colon + 2));
         }
     }
 
@@ -419,17 +404,18 @@ private:
     {
         const double diagonal = scene_.own_bounds().diagonal();
         if (diagonal < 0.1 || diagonal > 500.0)
-            add_note("scale", file_.path,
-                     format("the scene measures %.3g m across if its unit is the metre; the radiosity does not depend "
-                            "on it, but powers in watts do",
-                            diagonal));
+            add("scale", file_.path,
+                format(
+                    "the scene measures %.3g m across if its unit is the metre; the radiosity does not depend on it, "
+                    "but powers in watts do",
+                    diagonal));
     }
 
     /// Reports large patches of the default size: it follows from the total area and the number of surfaces, so among
     /// thousands of small triangles large walls stay nearly uncut.
     void coarse_patches()
     {
-        if (scene_.patch_size() != default_patch_size(own_surfaces()))
+        if (scene_.patch_size() != default_patch_size(file_.without_sky()))
             return;
         double longest = 0.0;
         for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
@@ -441,35 +427,29 @@ private:
             return;
         const double finer = one_digit(diagonal / 50.0);
         const double sides = scene_.two_sided() ? 2.0 : 1.0;
-        add_note("coarse-patches", file_.path,
-                 format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows", longest,
-                        100.0 * longest / diagonal),
-                 0.0, 0.0,
-                 {{Remedy::patch_size, format("%g", finer),
-                   "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
-                       " patches instead of " + grouped(scene_.patch_count())}});
+        add("coarse-patches", file_.path,
+            format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows", longest,
+                   100.0 * longest / diagonal),
+            0.0, 0.0,
+            {{Remedy::patch_size, format("%g", finer),
+              "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
+                  " patches instead of " + grouped(scene_.patch_count())}});
     }
 
     /// Reports surfaces that run on below partitions: those that cut_at_partitions() left whole.
     void partitions()
     {
-        const PartitionedSurfaces found = find_partitioned_surfaces(own_surfaces(), scene_.two_sided());
+        const PartitionedSurfaces found = find_partitioned_surfaces(file_.without_sky(), scene_.two_sided());
         double parted_area = 0.0;
         for (const std::uint32_t s : found.surfaces)
             parted_area += area(s);
         if (!found.surfaces.empty() || !found.complete)
-            add_note("partition", found.surfaces.empty() ? file_.path : place_of(found.surfaces[0]),
-                     (found.complete ? "" : "too many faces touch to test all; at least ") +
-                         counted(found.surfaces.size(), "face") +
-                         " below partitions, whose patches carry light to the other side, cut them there: " +
-                         names_of(found.surfaces),
-                     0.0, parted_area / area_of_surfaces());
-    }
-
-    SurfaceList own_surfaces() const
-    {
-        const SurfaceList& all = scene_.surfaces();
-        return {all.begin(), all.end() - file_.sky_surfaces};
+            add("partition", found.surfaces.empty() ? file_.path : place_of(found.surfaces[0]),
+                (found.complete ? "" : "too many faces touch to test all; at least ") +
+                    counted(found.surfaces.size(), "face") +
+                    " below partitions, whose patches carry light to the other side, cut them there: " +
+                    names_of(found.surfaces),
+                0.0, parted_area / area_of_surfaces());
     }
 
     const Scene& scene_;

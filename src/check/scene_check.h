@@ -42,13 +42,13 @@ std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces)
 /// A diagnostic about a scene. Findings of the same cause are merged into one, whose message says how many there are.
 struct Finding
 {
-    std::string kind;        ///< identifier for programs, such as "behind" or "unused-material"
-    bool makes_wrong_result; ///< true for an error, false for a remark
+    std::string kind;  ///< identifier for programs, such as "behind" or "unused-material"
     std::string place; ///< file and line of the first or worst case ("room.obj:12"); the file alone if no line is known
     std::string message;      ///< one line: the fault, and what to change in the file if that is needed
     double power_share = 0.0; ///< share [1] of the source power that is concerned; 0 if the finding is not about power
     double area_share = 0.0;  ///< share [1] of the total surface area that is concerned; 0 if not about area
     std::vector<Advice> advice = {}; ///< what helps without a change in the file
+    bool makes_wrong_result = false; ///< true for an error, false for a remark
 };
 
 /// Diagnoses what is suspicious about the physics of a scene: lost light, sources that light nothing, faces that hide

@@ -18,19 +18,10 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t surveyed_per_block = 4096;
-
-/// One in so many lines is tested against the hull, which may have as many sides as there are surfaces.
-std::uint64_t lines_per_hull_test(const ConvexHull& hull)
-{
-    constexpr std::uint64_t few_sides = 2048;
-    return 1 + hull.side_count() / few_sides;
-}
-
 LineSurvey empty_survey(const Scene& scene)
 {
     const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
-    return {0, 0, 0, 0, zeros, zeros, zeros, zeros, zeros};
+    return {0, 0, 0, 0, zeros, zeros, zeros, zeros};
 }
 
 /// Counts the fate of light that leaves the surface of hit `from` towards hit `to`, or towards nothing if `to` is
@@ -44,11 +35,9 @@ void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool fo
         return;
     }
     ++survey.departures[from.surface];
-    if (to == nullptr)
-        ++survey.escapes[from.surface];
-    else if (to->front == forward || scene.two_sided())
+    if (to != nullptr && (to->front == forward || scene.two_sided()))
         ++survey.arrivals[from.surface];
-    else
+    else if (to != nullptr)
         ++survey.met_behind[to->surface];
 }
 
@@ -74,9 +63,11 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& coun
 LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads)
 {
     const GlobalLines global_lines(scene.bounds());
-    const std::uint64_t per_test = lines_per_hull_test(hull);
+    // One in so many lines is tested against the hull, which may have as many sides as there are surfaces.
+    constexpr std::uint64_t few_sides = 2048;
+    const std::uint64_t per_test = 1 + hull.side_count() / few_sides;
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
-    const Blocks blocks = {lines, surveyed_per_block};
+    const Blocks blocks = {lines, 4096};
     BlockBuffers<LineSurvey> slots(threads, empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
         LineSurvey& survey = slots[slot];
@@ -104,7 +95,6 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
         total.crossings += survey.crossings;
         add(total.departures, survey.departures);
         add(total.arrivals, survey.arrivals);
-        add(total.escapes, survey.escapes);
         add(total.met_behind, survey.met_behind);
         add(total.back_to_back, survey.back_to_back);
     }

@@ -24,7 +24,6 @@ struct LineSurvey
     // Counts per surface. Every line counts in both directions.
     std::vector<std::uint64_t> departures; ///< times that a line leaves a patch of the surface
     std::vector<std::uint64_t> arrivals;   ///< departures from the surface that reach another patch
-    std::vector<std::uint64_t> escapes;    ///< departures from the surface that meet nothing
     std::vector<std::uint64_t> met_behind; ///< departures from any surface that meet this one on a side without a patch
     /// Times that a line leaves the back of the surface and then meets the back of a surface that emits nothing. All 0
     /// if the scene is two-sided.

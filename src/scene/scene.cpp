@@ -84,8 +84,7 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
 
 double cell_count(const SceneFile& file, double patch_size)
 {
-    const SurfaceList& all = file.surfaces;
-    return cell_count({all.begin(), all.end() - file.sky_surfaces}, patch_size) + file.sky_surfaces;
+    return cell_count(file.without_sky(), patch_size) + file.sky_surfaces;
 }
 
 namespace {
@@ -320,8 +319,7 @@ Rgb Scene::sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const
 
 Bounds Scene::own_bounds() const
 {
-    const SurfaceList& all = file_->surfaces;
-    return bounds_of({all.begin(), all.end() - file_->sky_surfaces});
+    return bounds_of(file_->without_sky());
 }
 
 Scene Scene::refined(const std::vector<std::uint8_t>& levels, int threads) const
@@ -374,11 +372,8 @@ std::vector<double> Scene::areas() const
 std::vector<double> Scene::weights() const
 {
     std::vector<double> weights = areas();
-    for (std::uint32_t s = own_surfaces(); s < file_->surfaces.size(); ++s) {
-        weights[first_patch(s)] = 0.0;
-        if (two_sided_)
-            weights[first_patch(s, false)] = 0.0;
-    }
+    for (std::uint32_t i = 0; i < patch_count_; ++i)
+        weights[i] = is_sky_patch(i) ? 0.0 : weights[i];
     return weights;
 }
 

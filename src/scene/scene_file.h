@@ -84,12 +84,12 @@ struct SceneFile
 
     /// Number of surfaces without the sky.
     std::size_t own_surfaces() const { return surfaces.size() - sky_surfaces; }
+    SurfaceList without_sky() const { return {surfaces.begin(), surfaces.end() - sky_surfaces}; }
 
     std::vector<std::string> warnings;          ///< one plain line each, beginning with "file:line:" or "file:"
     std::vector<std::string> unknown_materials; ///< names that faces use but no file defines; these materials are grey
     std::vector<std::string> unused_materials;  ///< "file:line: name" of materials that are defined but used by no face
-    std::size_t dropped_faces = 0; ///< faces that were dropped: without area, or with fewer than three vertices
-    std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 3 zero-area faces dropped"
+    std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 1 material not used"
 };
 
 /// The files that a scene consists of, and the names under which missing ones are looked for: none of them may become

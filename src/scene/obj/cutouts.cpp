@@ -324,8 +324,8 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
             continue;
         MaterialCutter cutter(map, scale, pieces, mesh);
         Mask mask = fine;
-        std::optional<std::vector<MaterialCutter::Replacement>> replacements = cutter.cut(of_material[m], mask);
-        for (unsigned level = 1; !replacements; ++level) {
+        std::optional<std::vector<MaterialCutter::Replacement>> replacements;
+        for (unsigned level = 0; !replacements; ++level) {
             mask = coarser(fine, level);
             replacements = cutter.cut(of_material[m], mask);
         }
@@ -345,7 +345,7 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
         if (!replacements->empty())
             messages.push_back(subject + "are cut out: " + counted(parts, "surface") + " instead of " +
                                std::to_string(replacements->size()) +
-                               (mask.width < fine.width || mask.height < fine.height
+                               (mask.opaque.size() < fine.opaque.size()
                                     ? ", by a coarser mask of " + std::to_string(mask.width) + " x " +
                                           std::to_string(mask.height) + " pixels"
                                     : ""));

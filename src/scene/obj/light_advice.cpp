@@ -1,11 +1,11 @@
 #include "scene/obj/light_advice.h"
 
 #include "base/text_format.h"
+#include "geometry/intersector/surface_sizes.h"
 #include "scene/text/text_lines.h"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string_view>
 
 namespace multipath {
@@ -14,35 +14,8 @@ namespace {
 
 constexpr double advised_emittance = 10.0; // [W/m^2]
 
-/// A material or object that could be made a lamp.
-struct LampCandidate
-{
-    std::string name;
-    double area; ///< [m^2]
-};
-
-std::string lower_case(std::string text)
-{
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-/// Adds the names that belong to surfaces and are not in the list; `numbers` holds the index of each surface's name.
-void add_candidates(const std::vector<std::string>& names, const std::vector<std::uint32_t>& numbers,
-                    const SurfaceList& surfaces, std::vector<LampCandidate>& candidates)
-{
-    std::vector<double> areas(names.size()); // [m^2]
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-        areas[numbers[s]] += surfaces[s].area();
-    for (std::size_t k = 0; k < names.size(); ++k)
-        if (areas[k] > 0.0 && std::none_of(candidates.begin(), candidates.end(),
-                                           [&](const LampCandidate& other) { return other.name == names[k]; }))
-            candidates.push_back({names[k], areas[k]});
-}
-
-/// Those whose names suggest lamps or windows, the most likely first.
-std::vector<LampCandidate> named_like_lamps(const std::vector<LampCandidate>& candidates)
+/// The index of the first word for a lamp or a window in a name; the number of these words if there is none.
+std::size_t rank_as_lamp(const std::string& name)
 {
     // Words for lamps first, then for windows, in languages that occur in public models.
     constexpr std::array<std::string_view, 32> words = {
@@ -50,43 +23,52 @@ std::vector<LampCandidate> named_like_lamps(const std::vector<LampCandidate>& ca
         "glow",    "led_",    "licht",    "leucht", "luce", "luz",    "svjetl", "svetl",
         "lantern", "chandel", "candle",   "sconce", "sky",  "himmel", "window", "fenster",
         "fenetre", "ventana", "finestra", "prozor", "glas", "vidrio", "vetro",  "staklo"};
-    const auto rank = [&](const LampCandidate& candidate) {
-        const std::string name = lower_case(candidate.name);
-        return std::find_if(words.begin(), words.end(),
-                            [&](std::string_view word) { return name.find(word) != std::string::npos; });
-    };
+    const std::string text = lower_case(name);
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [&](std::string_view word) { return text.find(word) != std::string::npos; });
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+/// A material or object that could be made a lamp.
+struct LampCandidate
+{
+    std::string name;
+    double area = 0.0; ///< [m^2]
+};
+
+/// Those of the names that belong to surfaces; `numbers` holds the index of each surface's name.
+std::vector<LampCandidate> candidates(const std::vector<std::string>& names, const std::vector<std::uint32_t>& numbers,
+                                      const SurfaceList& surfaces)
+{
     std::vector<LampCandidate> result;
-    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result),
-                 [&](const LampCandidate& candidate) { return rank(candidate) != words.end(); });
-    std::stable_sort(result.begin(), result.end(),
-                     [&](const LampCandidate& a, const LampCandidate& b) { return rank(a) < rank(b); });
+    for (const std::string& name : names)
+        result.push_back({name});
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+        result[numbers[s]].area += surfaces[s].area();
+    const auto is_unused = [](const LampCandidate& candidate) { return candidate.area == 0.0; };
+    result.erase(std::remove_if(result.begin(), result.end(), is_unused), result.end());
     return result;
 }
 
 } // namespace
 
-LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene, bool is_closed_room)
+LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
 {
-    std::vector<LampCandidate> candidates;
-    add_candidates(mesh.material_names(), scene.material, scene.surfaces, candidates);
-    const auto largest =
-        std::max_element(candidates.begin(), candidates.end(),
-                         [](const LampCandidate& a, const LampCandidate& b) { return a.area < b.area; });
-    const std::vector<LampCandidate> in_room = {*largest};
-    add_candidates(mesh.groups, scene.group, scene.surfaces, candidates);
-    std::vector<LampCandidate> lamps = named_like_lamps(candidates);
-    if (lamps.empty() && is_closed_room)
-        lamps = in_room;
-    if (lamps.empty())
-        return {"to light it by sky and sun",
-                {{Remedy::sky, format("%g", advised_emittance)}, {Remedy::sun, "150,40,20"}}};
-    const LampCandidate lamp = lamps[0];
-    std::vector<std::string> others;
-    for (std::size_t k = 1; k < lamps.size(); ++k)
-        others.push_back(in_quotes(lamps[k].name));
+    const auto materials = candidates(mesh.material_names(), scene.material, scene.surfaces);
+    std::vector<LampCandidate> all = candidates(mesh.groups, scene.group, scene.surfaces);
+    all.insert(all.begin(), materials.begin(), materials.end());
+    LampCandidate lamp = *std::min_element(all.begin(), all.end(), [](const LampCandidate& a, const LampCandidate& b) {
+        return rank_as_lamp(a.name) < rank_as_lamp(b.name);
+    });
+    if (rank_as_lamp(lamp.name) == rank_as_lamp("")) {
+        if (!is_interior(scene.surfaces))
+            return {"to light it by sky and sun",
+                    {{Remedy::sky, format("%g", advised_emittance)}, {Remedy::sun, "150,40,20"}}};
+        lamp = *std::max_element(materials.begin(), materials.end(),
+                                 [](const LampCandidate& a, const LampCandidate& b) { return a.area < b.area; });
+    }
     return {"to make a lamp of material or object " + in_quotes(lamp.name) +
-                format(" (%.3g m^2, so %.3g W)", lamp.area, advised_emittance * lamp.area) +
-                (others.empty() ? "" : ", or another: " + first_of(others, 5)),
+                format(" (%.3g m^2, so %.3g W)", lamp.area, advised_emittance * lamp.area),
             {{Remedy::lamp, lamp.name + format("=%g", advised_emittance)}}};
 }
 

@@ -17,8 +17,8 @@ struct LightAdvice
 };
 
 /// Proposes a lamp made of the material or object whose name suggests a lamp or a window most, or of the largest
-/// material of a closed room without such a name; in other scenes, a sky and a sun. `scene` holds the faces of the mesh
-/// as surfaces; its indices of materials and groups are those of the mesh.
-LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene, bool is_closed_room);
+/// material of a room without such a name; in other scenes, a sky and a sun. `scene` holds the faces of the mesh as
+/// surfaces; its indices of materials and groups are those of the mesh.
+LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene);
 
 } // namespace multipath

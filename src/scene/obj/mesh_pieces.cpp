@@ -2,6 +2,7 @@
 
 #include "geometry/bounds.h"
 #include "scene/text/text_lines.h"
+#include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -211,6 +212,9 @@ namespace {
 /// Limit of corners times reflex corners of a polygon: about a second of ear clipping.
 constexpr double largest_clipping_work = 1e8;
 
+constexpr std::string_view crosses_itself =
+    "polygon crosses itself and its triangles overlap, mend it in the modelling program";
+
 double area_of(Vec3 a, Vec3 b, Vec3 c)
 {
     return 0.5 * length(cross(b - a, c - a));
@@ -242,11 +246,9 @@ public:
                 cut_polygon(face);
             }
             if (result_.pieces.size() == pieces_before)
-                ++result_.zero_area_faces;
+                flaws_.add("a face without an area is dropped", mesh_.faces[face].line);
         }
-        bent_.warn(mesh_.path, "polygon is not planar and was cut into triangles", result_.warnings);
-        crossed_.warn(mesh_.path, "polygon crosses itself and its triangles overlap, mend it in the modelling program",
-                      result_.warnings);
+        result_.warnings = flaws_.warnings(mesh_.path);
         return std::move(result_);
     }
 
@@ -262,7 +264,7 @@ private:
         const Vec3 area = area_vector(positions_);
         const bool lobes_cancel = polygon_.size() > 3 && length(area) <= scale_.smallest_area();
         if (lobes_cancel)
-            crossed_.add(mesh_.faces[face].line);
+            flaws_.add(crosses_itself, mesh_.faces[face].line);
         if (lobes_cancel || polygon_.size() == 3) {
             for (std::size_t i = 2; i < polygon_.size(); ++i)
                 add_triangle(face, polygon_[0], polygon_[i - 1], polygon_[i]);
@@ -270,7 +272,7 @@ private:
         }
         const double bend = distance_from_plane(positions_, area);
         if (bend > scale_.widest_crack() && bend > 1e-4 * diameter_of(positions_))
-            bent_.add(mesh_.faces[face].line);
+            flaws_.add("polygon is not planar and was cut into triangles", mesh_.faces[face].line);
         const std::size_t reflex_corners = reflex_corner_count(positions_, area);
         if (polygon_.size() == 4 && reflex_corners == 0)
             cut_quad(face);
@@ -297,7 +299,7 @@ private:
                                                              " corners, expected at most about 10,000: divide it");
         const Triangulation cut = clip_ears(positions_, area, scale_.smallest_area());
         if (cut.crosses_itself)
-            crossed_.add(mesh_.faces[face].line);
+            flaws_.add(crosses_itself, mesh_.faces[face].line);
         for (const auto& [a, b, c] : cut.triangles)
             add_triangle(face, polygon_[a], polygon_[b], polygon_[c]);
     }
@@ -342,7 +344,7 @@ private:
     const ObjMesh& mesh_;
     const SceneScale scale_;
     MeshPieces result_;
-    FlawCount bent_, crossed_;
+    Flaws flaws_;
     std::vector<ObjCorner> polygon_; ///< corners of the current face
     std::vector<Vec3> positions_;    ///< of polygon_
 };

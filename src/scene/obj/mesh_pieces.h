@@ -78,16 +78,16 @@ struct MeshPieces
     LargeVector<Piece> pieces; ///< in the order of the faces
     /// Different colours of pieces by their vertices, rounded to 8 bits per channel in sRGB.
     std::vector<std::array<std::uint8_t, 3>> colours;
-    std::size_t zero_area_faces = 0; ///< number of faces without area, which were dropped
     std::vector<std::string> warnings;
 };
 
 /// Cuts the faces of a mesh. Corners on a straight side are skipped. A parallelogram stays whole; a textured one is cut
 /// unless its texture points form a parallelogram, too. Any other convex quad is cut along the diagonal from its first
 /// to its third corner, any other polygon by ear clipping. A piece without a texture has the mean colour of those of
-/// its vertices that have one. Polygons that are not planar (off their mean plane by more than 1e-4 of their size and
-/// more than widest_crack()) or intersect themselves are cut with a warning. Throws InputError for a concave polygon
-/// that would take too long: the number of its corners times the number of its reflex corners exceeds 10^8.
+/// its vertices that have one. Faces without area are dropped with a warning. Polygons that are not planar (off their
+/// mean plane by more than 1e-4 of their size and more than widest_crack()) or intersect themselves are cut with one.
+/// Throws InputError for a concave polygon that would take too long: the number of its corners times the number of its
+/// reflex corners exceeds 10^8.
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

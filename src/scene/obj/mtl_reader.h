@@ -14,16 +14,14 @@ namespace multipath {
 /// A `map_Kd`, `map_Ke` or `map_d` statement. The texture is read at scale * (s, t) + offset.
 struct TextureMap
 {
-    std::string file;     ///< name in the statement, without blanks or quotes around it
-    std::string found;    ///< path of the file; empty if it was not found
-    double scale_s = 1.0; ///< `-s`
-    double scale_t = 1.0;
-    double offset_s = 0.0; ///< `-o`
-    double offset_t = 0.0;
-    bool repeats = true;    ///< false after `-clamp on`
-    std::uint32_t line = 0; ///< line of the statement; 0 if the material has none
+    std::string file;                ///< name in the statement, without blanks or quotes around it
+    std::string found;               ///< path of the file; empty if it was not found
+    TexturePoint scale = {1.0, 1.0}; ///< `-s`
+    TexturePoint offset;             ///< `-o`
+    bool repeats = true;             ///< false after `-clamp on`
+    std::uint32_t line = 0;          ///< line of the statement; 0 if the material has none
 
-    TexturePoint at(TexturePoint p) const { return {scale_s * p.s + offset_s, scale_t * p.t + offset_t}; }
+    TexturePoint at(TexturePoint p) const { return {scale.s * p.s + offset.s, scale.t * p.t + offset.t}; }
 };
 
 /// A material as its file defines it, with details for messages. read_mtl() gives it the whole argument of `newmtl` as
@@ -34,15 +32,13 @@ struct MtlMaterial
     /// [1] `d`, or 1 - `Tr` if there is no `d`. `Tr 1` is ignored, since it may mean opaque or invisible. For messages
     /// only, since all surfaces are opaque.
     double opacity = 1.0;
-    Rgb ambient;                     ///< `Ka`; some files describe lamps by it; for messages only
     std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: the material is black unless it has a `map_Kd`
     std::string flaw;                ///< "file:line: what is wrong" if the reflectance is above 1; otherwise empty
     std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
     TextureMap opacity_map;          ///< `map_d`
-    bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
-    bool is_used = false;            ///< by a face that was not dropped; known only after the whole scene is read
+    bool is_unknown = false;         ///< stands in for a material that no file defines
 };
 
 /// The materials of all MTL files of a scene.
@@ -70,8 +66,9 @@ struct MtlFiles
 };
 
 /// Finds the MTL files listed in `names`, the argument of a `mtllib` statement, relative to the folder of the OBJ file.
-/// Several names may be given. A name may be quoted, contain blanks or backslashes, or be in the wrong case. Throws
-/// InputError for no name or more than 32 words. `place` is the location of the statement in the OBJ file.
+/// Several names may be given: each is in quotes, or ends at a word with the ending ".mtl". A name may contain blanks
+/// or backslashes, or be in the wrong case. Throws InputError for no name or more than 32. `place` is the location of
+/// the statement in the OBJ file.
 MtlFiles find_mtl_files(std::string_view names, TextLocation place);
 
 } // namespace multipath

@@ -22,7 +22,7 @@ struct NamedFaces
     bool has(const ObjFace& face) const { return materials[face.material] || has_object(face); }
 };
 
-/// Throws SettingsError if no material or group has the name, or no face.
+/// Throws SettingsError if no face has a material, group or object of this name.
 NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
 {
     const auto are_named = [&](const std::vector<std::string>& names) {
@@ -31,21 +31,19 @@ NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
             result.push_back(other == name);
         return result;
     };
-    const auto any = [](const std::vector<bool>& named) {
-        return std::find(named.begin(), named.end(), true) != named.end();
-    };
     NamedFaces found = {are_named(mesh.material_names()), std::vector<bool>(mesh.groups.size()),
                         std::vector<bool>(mesh.other_names.size())};
-    if (!any(found.materials) && !name.empty()) {
+    const auto any_face = [&] {
+        return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); });
+    };
+    if (any_face())
+        return found;
+    if (!name.empty()) {
         found.groups = are_named(mesh.groups);
         found.other_names = are_named(mesh.other_names);
     }
-    if (any(found.materials) || any(found.groups) || any(found.other_names)) {
-        if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); }))
-            throw SettingsError(mesh.path + ": `" + name +
-                                "` has no faces, or all of them are ignored; expected a name that has faces");
+    if (any_face())
         return found;
-    }
     if (const std::string plain(name_in(name)); plain != name)
         return faces_named(plain, mesh);
     std::vector<std::string> names;
@@ -54,7 +52,7 @@ NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
             if (const std::string quoted = "`" + other + "`";
                 !other.empty() && std::find(names.begin(), names.end(), quoted) == names.end())
                 names.push_back(quoted);
-    throw SettingsError(mesh.path + ": no material or object is called `" + name + "`, expected one of " +
+    throw SettingsError(mesh.path + ": no material or object is called `" + name + "` and has faces, expected one of " +
                         first_of(names, 12));
 }
 

@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <system_error>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -43,6 +45,9 @@ bool contains(const std::array<std::string_view, size>& words, std::string_view 
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+constexpr std::string_view unknown_numbers = "the numbers after the coordinates of a vertex are ignored, expected a "
+                                             "weight, or red, green and blue from 0 to 1";
+
 /// [1] Colour of a vertex without one.
 constexpr Rgb no_colour = {-1.0, -1.0, -1.0};
 
@@ -50,22 +55,26 @@ constexpr Rgb no_colour = {-1.0, -1.0, -1.0};
 std::optional<std::int64_t> reference(std::string_view text)
 {
     constexpr std::int64_t largest = std::numeric_limits<std::uint32_t>::max();
-    const bool is_negative = !text.empty() && text[0] == '-';
-    text.remove_prefix(is_negative || (!text.empty() && text[0] == '+') ? 1 : 0);
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+        text.remove_prefix(1);
     std::int64_t number = 0;
-    for (const char c : text) {
-        if (c < '0' || c > '9')
-            return std::nullopt;
-        number = number < largest ? 10 * number + (c - '0') : number;
-    }
-    number = std::min(number, largest);
-    return text.empty() ? std::nullopt : std::optional(is_negative ? -number : number);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc::invalid_argument || end != text.data() + text.size())
+        return std::nullopt;
+    if (error == std::errc::result_out_of_range)
+        return text[0] == '-' ? -largest : largest;
+    return std::clamp(number, -largest, largest);
 }
 
 class ObjParser
 {
 public:
-    explicit ObjParser(const std::string& path) : lines_(path) { mesh_.path = path; }
+    explicit ObjParser(const std::string& path) : lines_(path)
+    {
+        constexpr std::size_t bytes_of_vertex = 32; // usual; memory that stays unused takes no time, but moving would
+        mesh_.path = path;
+        mesh_.vertices.reserve(lines_.file_size() / bytes_of_vertex);
+    }
     ObjMesh parse()
     {
         bool any_line = false;
@@ -77,13 +86,12 @@ public:
         if (!any_line)
             refuse(at_line(1), "the file is empty, expected a Wavefront OBJ file");
         if (mesh_.faces.empty())
-            refuse(at_line(0), mesh_.faces_without_corners == 0
-                                   ? "no faces found, expected a Wavefront OBJ file with `f` statements"
-                                   : "every face has fewer than three vertices");
+            refuse(at_line(0), "no faces found, expected a Wavefront OBJ file with `f` statements of three vertices or "
+                               "more");
         check_references();
         complete_colours();
         drop_comments();
-        summarise_warnings();
+        mesh_.warnings = flaws_.warnings(mesh_.path);
         return std::move(mesh_);
     }
 
@@ -121,7 +129,7 @@ private:
         } else if (contains(unsupported_keywords, keyword)) {
             refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
         } else if (!contains(harmless_keywords, keyword)) {
-            unknown_.note(keyword, place);
+            flaws_.add("unknown statements ignored", place.line, keyword);
         }
     }
 
@@ -136,7 +144,6 @@ private:
         }
         if (mesh_.vertices.size() == std::numeric_limits<std::uint32_t>::max() / 2)
             refuse(place, "more than 2^31 vertices, expected fewer");
-        reserve_vertices();
         mesh_.vertices.push_back({x[0], x[1], x[2]});
 
         std::array<double, 3> more = {};
@@ -144,11 +151,11 @@ private:
         for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest), ++count)
             (count < more.size() ? more[count] : x[0]) = read_number(word, place, "vertex");
         if (count == 1 && more[0] != 1.0)
-            weights_.add(place.line);
+            flaws_.add("the weight of a vertex (fourth number) is ignored, polygons have none", place.line);
         if (count == 3)
             colour(more[0], more[1], more[2], place.line);
         else if (count > 1)
-            numbers_after_vertices_.add(place.line);
+            flaws_.add(unknown_numbers, place.line);
     }
 
     void face(std::string_view rest, const TextLine& line)
@@ -168,8 +175,7 @@ private:
             refuse(line.place, "more than 2^31 corners of faces, expected fewer");
         if (count < 3) {
             mesh_.corners.resize(first);
-            ++mesh_.faces_without_corners;
-            return;
+            return flaws_.add("a face of fewer than three vertices is dropped", line.place.line);
         }
         next_face_.first_corner = static_cast<std::uint32_t>(first);
         next_face_.corner_count = static_cast<std::uint32_t>(count);
@@ -213,7 +219,7 @@ private:
     {
         const auto [least, largest] = std::minmax({red, green, blue});
         if (least < 0.0 || largest > 1.0) {
-            numbers_after_vertices_.add(line);
+            flaws_.add(unknown_numbers, line);
             return;
         }
         if (mesh_.colours.capacity() < mesh_.vertices.size())
@@ -235,7 +241,7 @@ private:
             x = sound ? *value : 0.0;
         }
         if (!sound)
-            texture_coordinates_.add(line);
+            flaws_.add("a texture coordinate is not a number up to 1e9 and counts as 0", line);
         mesh_.texture_points.push_back({st[0], st[1]});
     }
 
@@ -269,17 +275,6 @@ private:
         known.push_back({std::string(names), place.line});
     }
 
-    /// Reserves memory for the vertices of the whole file when the list is full, extrapolating from the share read so
-    /// far. Moving millions of vertices repeatedly takes time; reserved memory that stays unused does not.
-    void reserve_vertices()
-    {
-        constexpr std::size_t some = 4096;
-        const auto count = static_cast<double>(mesh_.vertices.size());
-        const double read = lines_.share_read();
-        if (mesh_.vertices.size() == mesh_.vertices.capacity() && count >= some && read > 0.0 && read < 1.0)
-            mesh_.vertices.reserve(static_cast<std::size_t>(std::max(2.0 * count, 1.05 * count / read)));
-    }
-
     void check_references()
     {
         for (const ObjFace& face : mesh_.faces) {
@@ -296,7 +291,9 @@ private:
                 }
             }
             if (has_missing_point)
-                missing_points_.add(face.line);
+                flaws_.add(
+                    "a face refers to a texture point that does not exist, so it has the mean colour of its texture",
+                    face.line);
         }
     }
 
@@ -321,23 +318,6 @@ private:
         mesh_.other_names.assign(end_of_groups, names.end());
     }
 
-    void summarise_warnings()
-    {
-        const auto warn = [&](const FlawCount& lines, const std::string& flaw) {
-            lines.warn(mesh_.path, flaw, mesh_.warnings);
-        };
-        warn(weights_, "the weight of a vertex (fourth number) is ignored, polygons have none");
-        warn(numbers_after_vertices_,
-             "the numbers after the coordinates of a vertex are ignored, expected a weight, or red, "
-             "green and blue from 0 to 1");
-        warn(texture_coordinates_, "a texture coordinate is not a number up to 1e9 and counts as 0");
-        warn(missing_points_, "a face refers to a texture point that does not exist, so it has the mean colour of its "
-                              "texture; the file has " +
-                                  counted(mesh_.texture_points.size(), "texture point"));
-        if (const auto warning = unknown_.warning("unknown statements ignored"))
-            mesh_.warnings.push_back(*warning);
-    }
-
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
@@ -352,8 +332,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> material_numbers_;
     std::unordered_map<std::string, std::uint32_t> group_numbers_;
     std::unordered_map<std::string, std::uint32_t> other_numbers_ = {{"", 0}};
-    FlawCount weights_, numbers_after_vertices_, texture_coordinates_, missing_points_;
-    IgnoredKeywords unknown_{8};
+    Flaws flaws_;
 };
 
 } // namespace
@@ -364,13 +343,6 @@ std::vector<std::string> ObjMesh::material_names() const
     for (const ObjName& material : materials)
         names.push_back(material.name.empty() ? "default" : material.name);
     return names;
-}
-
-void FlawCount::warn(const std::string& path, const std::string& flaw, std::vector<std::string>& warnings) const
-{
-    if (count_ != 0)
-        warnings.push_back(name_of({path, first_line_}) + ": " + flaw + " (" + std::to_string(count_) +
-                           " in the file)");
 }
 
 ObjMesh parse_obj(const std::string& path)

@@ -32,24 +32,6 @@ struct ObjFace
     std::uint32_t other_name = 0;   ///< index into ObjMesh::other_names
 };
 
-/// Counts the lines with the same flaw, for a single warning.
-class FlawCount
-{
-public:
-    void add(std::uint32_t line)
-    {
-        first_line_ = count_ == 0 ? line : first_line_;
-        ++count_;
-    }
-
-    /// Adds the warning "room.obj:12: flaw (3 in the file)" if there is any such line.
-    void warn(const std::string& path, const std::string& flaw, std::vector<std::string>& warnings) const;
-
-private:
-    std::uint32_t first_line_ = 0;
-    std::size_t count_ = 0;
-};
-
 /// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
 /// line.
 struct ObjName
@@ -77,8 +59,7 @@ struct ObjMesh
     std::vector<std::string> groups;
     /// The names of objects that a `g` divides, and of groups directly before an `o`; the first is "".
     std::vector<std::string> other_names = {""};
-    std::vector<ObjName> libraries;        ///< different arguments of `mtllib`, not yet split into file names
-    std::size_t faces_without_corners = 0; ///< number of faces with fewer than three vertices, which were dropped
+    std::vector<ObjName> libraries; ///< different arguments of `mtllib`, not yet split into file names
     std::vector<std::string> warnings;
     /// Per material: true if the file of its `map_Kd` was found; empty before MTL files are read.
     std::vector<bool> textured = {};
@@ -91,9 +72,10 @@ struct ObjMesh
 
 /// Parses an OBJ file. Throws InputError for a file that cannot be read, malformed vertices and faces, coordinates
 /// beyond 1e9, free-form surfaces and included files, a file without faces, 2^31 or more vertices or corners, and
-/// more than 256 different `mtllib` statements. These cause a warning: unknown statements; weights of vertices other
-/// than 1, and colours that are not red, green and blue from 0 to 1; a texture coordinate that is malformed or beyond
-/// 1e9, which counts as 0; and a reference to a missing texture point, which is ignored.
+/// more than 256 different `mtllib` statements. These cause a warning: unknown statements; faces with fewer than three
+/// vertices, which are dropped; weights of vertices other than 1, and colours that are not red, green and blue from 0
+/// to 1; a texture coordinate that is malformed or beyond 1e9, which counts as 0; and a reference to a missing texture
+/// point, which is ignored.
 ObjMesh parse_obj(const std::string& path);
 
 } // namespace multipath

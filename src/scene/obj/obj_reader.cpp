@@ -7,7 +7,6 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "geometry/intersector/surface_sizes.h"
 #include "scene/obj/cutouts.h"
 #include "scene/obj/light_advice.h"
 #include "scene/obj/mesh_pieces.h"
@@ -15,13 +14,12 @@
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/obj_textures.h"
 #include "scene/obj/parallelogram_merge.h"
-#include "scene/surface_edges.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
-#include "scene/vertex_weld.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -82,12 +80,12 @@ Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLi
 /// first remains. A ` # ` in `usemtl` is part of the name if the library has that name.
 void name_materials(MaterialLibrary& library, ObjMesh& mesh)
 {
+    const std::unordered_map<std::string, std::uint32_t> number_of_text = std::move(library.number_of_name);
+    library.number_of_name.clear();
     Names texts;
     for (const MtlMaterial& material : library.materials)
         texts.push_back(material.material.name);
-    const Names defined = without_comments(std::move(texts));
-    const std::unordered_map<std::string, std::uint32_t> number_of_text = std::move(library.number_of_name);
-    library.number_of_name.clear();
+    const Names defined = without_comments(texts);
     for (std::uint32_t k = 0; k < defined.size(); ++k) {
         library.materials[k].material.name = defined[k];
         library.number_of_name.emplace(defined[k], k);
@@ -95,24 +93,20 @@ void name_materials(MaterialLibrary& library, ObjMesh& mesh)
 
     texts.clear();
     for (const ObjName& used : mesh.materials)
-        if (name_in(used.name) != used.name)
-            texts.push_back(used.name);
-    const Names plain_names = without_comments(std::move(texts));
-    auto next = plain_names.begin();
+        texts.push_back(used.name);
+    const Names plain = without_comments(texts);
     std::unordered_map<std::string, std::uint32_t> number_of_name;
     std::vector<std::uint32_t> numbers;
     std::vector<ObjName> materials;
-    for (const ObjName& used : mesh.materials) {
-        std::string name(name_in(used.name));
-        const std::string& undefined_name = name != used.name ? *next++ : used.name;
-        if (const auto same_text = number_of_text.find(used.name); same_text != number_of_text.end())
-            name = defined[same_text->second];
-        else if (number_of_text.count(name) == 0)
-            name = undefined_name;
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        auto found = number_of_text.find(texts[k]);
+        if (found == number_of_text.end())
+            found = number_of_text.find(std::string(name_in(texts[k])));
+        const std::string& name = found != number_of_text.end() ? defined[found->second] : plain[k];
         const auto [entry, is_new] = number_of_name.emplace(name, static_cast<std::uint32_t>(materials.size()));
         numbers.push_back(entry->second);
         if (is_new)
-            materials.push_back({name, used.line});
+            materials.push_back({name, mesh.materials[k].line});
     }
     mesh.materials = std::move(materials);
     for (ObjFace& face : mesh.faces)
@@ -142,9 +136,6 @@ std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibra
 {
     const Names names = mesh.material_names();
     std::vector<MtlMaterial> definitions;
-    std::string files;
-    for (const std::string& file : scene.material_files)
-        files += (files.empty() ? " in " : " or ") + in_quotes(std::filesystem::path(file).filename().string());
     for (std::size_t k = 0; k < mesh.materials.size(); ++k) {
         const ObjName& used = mesh.materials[k];
         if (const auto entry = library.number_of_name.find(used.name); entry != library.number_of_name.end()) {
@@ -153,10 +144,10 @@ std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibra
         }
         MtlMaterial standing_in;
         standing_in.material = {names[k], default_reflectance, {}, name_of({mesh.path, used.line})};
+        standing_in.is_unknown = !used.name.empty();
         const std::string warning =
             standing_in.material.source + ": " +
-            (used.name.empty() ? "faces without a material"
-                               : "material " + in_quotes(used.name) + " is not defined" + files) +
+            (used.name.empty() ? "faces without a material" : "material " + in_quotes(used.name) + " is not defined") +
             ", grey with Kd = 0.5 stands in" + (mesh.colours.empty() ? "" : " where vertices have no colours");
         if (!contains(scene.warnings, warning)) // not of a lamp's copy
             scene.warnings.push_back(warning);
@@ -165,20 +156,27 @@ std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibra
     return definitions;
 }
 
-/// The definitions of the materials that faces have, each once, with the mean reflectances of textures and colours.
-std::vector<MtlMaterial> used_definitions(const std::vector<MtlMaterial>& definitions, const SceneFile& scene)
+/// Takes the definitions of the materials that surfaces have, each once although a lamp has a copy, with the mean
+/// reflectances of textures and colours. Those that no surface has are left in the library.
+std::vector<MtlMaterial> take_used(const std::vector<MtlMaterial>& definitions, const std::vector<bool>& is_used,
+                                   MaterialLibrary& library, SceneFile& scene)
 {
-    std::vector<bool> is_used(definitions.size());
-    for (const std::uint32_t material : scene.material)
-        is_used[material] = true;
     std::vector<MtlMaterial> used;
     std::unordered_set<std::string> names;
     for (std::size_t k = 0; k < definitions.size(); ++k) {
         if (!is_used[k] || !names.insert(definitions[k].material.name).second)
             continue;
         used.push_back(definitions[k]);
-        used.back().material = scene.materials[k];
+        const Material& material = used.back().material = scene.materials[k];
+        if (used.back().is_unknown && material.reflectance == default_reflectance &&
+            material.texture == Material::no_texture) // no vertices colour it
+            scene.unknown_materials.push_back(material.name);
     }
+    const auto is_taken = [&](const MtlMaterial& m) { return names.count(m.material.name) > 0; };
+    library.materials.erase(std::remove_if(library.materials.begin(), library.materials.end(), is_taken),
+                            library.materials.end());
+    for (const MtlMaterial& m : library.materials)
+        scene.unused_materials.push_back(m.material.source + ": " + m.material.name);
     return used;
 }
 
@@ -208,29 +206,10 @@ void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& m
     }
 }
 
-/// True if every edge occurs equally often in both directions, as in the walls of a room or the faces of a block.
-bool is_closed(const ObjMesh& mesh)
-{
-    const LargeVector<std::uint32_t> welded = weld(mesh.vertices);
-    LargeVector<FaceEdge> edges;
-    std::vector<std::uint32_t> corners;
-    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-        corners.clear();
-        for (std::uint32_t k = 0; k < mesh.faces[face].corner_count; ++k)
-            corners.push_back(welded[mesh.corners[mesh.faces[face].first_corner + k].vertex]);
-        add_edges(face, corners, edges);
-    }
-    bool closed = true;
-    for_each_edge(std::move(edges), [&](auto begin, auto end) {
-        const auto upward = std::count_if(begin, end, [](const FaceEdge& side) { return side.upward; });
-        closed = closed && 2 * upward == end - begin;
-    });
-    return closed;
-}
-
-/// Why a scene has no light.
+/// Why a scene has no light. `unused`: the materials that no surface has.
 std::string explain_darkness(const std::string& keyword, const ObjMesh& mesh, const Names& missing_files,
-                             const MaterialLibrary& library, const SceneFile& scene)
+                             const Names& unread_textures, const std::vector<MtlMaterial>& unused,
+                             const SceneFile& scene)
 {
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
     if (mesh.libraries.empty())
@@ -241,60 +220,32 @@ std::string explain_darkness(const std::string& keyword, const ObjMesh& mesh, co
     };
     list("; no such material file: ", missing_files);
     list("; used but not defined: ", scene.unknown_materials);
-    list("; below 1e-30, which counts as 0: ",
-         names_where(library.materials, [](const MtlMaterial& m) { return m.is_used && m.emission_too_small; }));
-    list("; emitting but used by no face: ", names_where(library.materials, [](const MtlMaterial& m) {
-             return !m.is_used && m.material.emittance != Rgb{};
-         }));
+    list("; emitting but used by no face: ",
+         names_where(unused, [](const MtlMaterial& m) { return m.material.emittance != Rgb{}; }));
+    if (!unread_textures.empty())
+        problem += "; textures that are not read: " + first_of(unread_textures, 5);
     return problem;
 }
 
-/// Throws InputError for a scene that would give no result, or a wrong one. The advice avoids all the problems found;
-/// the message ends with what it is for ("to lower it").
-void require_physics(const std::vector<MtlMaterial>& used, bool lit, EmissionFrom emission_from, const ObjMesh& mesh,
-                     const MaterialLibrary& library, const SceneFile& scene, const Names& missing_files,
-                     const Names& unread_textures)
+/// Throws InputError for a material that reflects more light than it receives, and for a scene without light, whose
+/// problem is `darkness`. The advice avoids all the problems found; the message ends with what it is for ("to lower
+/// it").
+void require_physics(const std::vector<MtlMaterial>& used, const std::optional<std::string>& darkness,
+                     const ObjMesh& mesh, const SceneFile& scene)
 {
-    const auto is_closed_room = [&] { return is_interior(scene.surfaces) && is_closed(mesh); };
-    const auto all_reflect = [&](double Rgb::*channel) {
-        return std::all_of(used.begin(), used.end(),
-                           [&](const MtlMaterial& m) { return m.material.reflectance.*channel >= 1.0; });
-    };
-    Names problems;
-    std::vector<Advice> advice;
-    const auto too_bright =
-        std::find_if(used.begin(), used.end(), [](const MtlMaterial& m) { return !m.flaw.empty(); });
-    if (too_bright != used.end())
-        problems.push_back(too_bright->flaw);
-    if ((all_reflect(&Rgb::r) || all_reflect(&Rgb::g) || all_reflect(&Rgb::b)) && is_closed_room())
-        problems.push_back(
-            "nothing absorbs light: the surfaces are closed and every material has Kd = 1 in the same colour, "
-            "expected Kd below 1 in one of them");
-    if (!unread_textures.empty() && !(problems.empty() && lit))
-        problems.push_back("textures that are not read: " + first_of(unread_textures, 5));
-    // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
-    const bool may_trap = std::any_of(used.begin(), used.end(), reflects_everything);
-    if (!problems.empty() || (!lit && may_trap))
-        advice.push_back({Remedy::reflectance_limit, "0.9"});
-    if (!lit) {
-        // Modellers store ambient reflection in Ka, which is at most 1. A lamp stands out: above 1, unlike others.
-        const Names lamps_by_ambient = names_where(used, [](const MtlMaterial& m) {
-            return std::max({m.ambient.r, m.ambient.g, m.ambient.b}) > 1.0;
-        });
-        LightAdvice light = {"to read lamps from Ka (" + some_names(lamps_by_ambient) + ")",
-                             {{Remedy::emission_from, "Ka"}}};
-        if (emission_from == EmissionFrom::ka || lamps_by_ambient.empty() ||
-            (lamps_by_ambient.size() == used.size() && used.size() > 1))
-            light = advised_light(mesh, scene, is_closed_room());
-        problems.push_back(
-            explain_darkness(emission_from == EmissionFrom::ka ? "Ka" : "Ke", mesh, missing_files, library, scene));
-        problems.push_back(light.text);
-        advice.insert(advice.end(), light.advice.begin(), light.advice.end());
-    }
-    if (problems.empty())
+    const auto bright = std::find_if(used.begin(), used.end(), [](const MtlMaterial& m) { return !m.flaw.empty(); });
+    const bool is_bright = bright != used.end();
+    if (!is_bright && !darkness)
         return;
-    throw InputError((too_bright != used.end() ? "" : mesh.path + ": ") + join(problems, "; ") +
-                         (lit ? "; to lower it" : ""),
+    std::vector<Advice> advice;
+    // Before there is a lamp it is unknown which surfaces it would light; those with Kd = 1 may trap its light.
+    if (is_bright || std::any_of(used.begin(), used.end(), reflects_everything))
+        advice.push_back({Remedy::reflectance_limit, "0.9"});
+    if (!darkness)
+        throw InputError(bright->flaw + "; to lower it", std::move(advice));
+    const LightAdvice light = advised_light(mesh, scene);
+    advice.insert(advice.end(), light.advice.begin(), light.advice.end());
+    throw InputError((is_bright ? bright->flaw + "; " : mesh.path + ": ") + *darkness + "; " + light.text,
                      std::move(advice));
 }
 
@@ -333,26 +284,7 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     }
 }
 
-/// Lists the materials that no file defines, unless vertices colour them, and those that no face uses.
-void list_odd_materials(const std::vector<MtlMaterial>& definitions, const ObjMesh& mesh,
-                        const std::vector<bool>& has_pieces, MaterialLibrary& library, SceneFile& scene)
-{
-    for (std::size_t k = 0; k < definitions.size(); ++k) {
-        const std::string& name = mesh.materials[k].name;
-        const auto entry = library.number_of_name.find(name);
-        const bool is_grey =
-            scene.materials[k].reflectance == default_reflectance && scene.materials[k].texture == Material::no_texture;
-        if (entry != library.number_of_name.end())
-            library.materials[entry->second].is_used |= has_pieces[k];
-        else if (!name.empty() && is_grey && !contains(scene.unknown_materials, name))
-            scene.unknown_materials.push_back(name);
-    }
-    for (const MtlMaterial& m : library.materials)
-        if (!m.is_used)
-            scene.unused_materials.push_back(m.material.source + ": " + m.material.name);
-}
-
-std::string summary(const SceneFile& scene, const ObjMesh& mesh, std::size_t merged_pairs, std::size_t zero_area_faces)
+std::string summary(const SceneFile& scene, const ObjMesh& mesh, std::size_t merged_pairs)
 {
     Names notes;
     const auto note = [&](std::size_t count, const char* noun, const char* fate) {
@@ -360,15 +292,13 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, std::size_t mer
             notes.push_back(counted(count, noun) + fate);
     };
     note(merged_pairs, "pair", " of triangles joined");
-    note(zero_area_faces, "zero-area face", " dropped");
-    note(mesh.faces_without_corners, "face", " of fewer than three vertices dropped");
     note(scene.unknown_materials.size(), "unknown material", " replaced");
     note(scene.unused_materials.size(), "material", " not used");
     const auto emitters = std::count_if(scene.materials.begin(), scene.materials.end(),
                                         [](const Material& m) { return m.emittance != Rgb{}; });
     return counted(scene.materials.size(), "material") + ", " + counted(static_cast<std::size_t>(emitters), "emitter") +
-           ", " + counted(mesh.faces.size() + mesh.faces_without_corners, "face") + " -> " +
-           counted(scene.surfaces.size(), "surface") + (notes.empty() ? "" : "; " + join(notes));
+           ", " + counted(mesh.faces.size(), "face") + " -> " + counted(scene.surfaces.size(), "surface") +
+           (notes.empty() ? "" : "; " + join(notes));
 }
 
 } // namespace
@@ -413,15 +343,17 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.groups = mesh.groups;
     add_surfaces(cut.pieces, mesh, scene);
     const Names unread = add_textures(definitions, cut, mesh, textures, changes.reflectance_limit, scene);
-    list_odd_materials(definitions, mesh, has_pieces, library, scene);
-    const std::vector<MtlMaterial> used = used_definitions(definitions, scene);
+    const std::vector<MtlMaterial> used = take_used(definitions, has_pieces, library, scene);
     warn_of_materials(used, scene.warnings);
     make_lamps(lamps, scene.materials);
     const bool lit = std::any_of(scene.material.begin(), scene.material.end(),
                                  [&](std::uint32_t m) { return scene.materials[m].emittance != Rgb{}; });
-    require_physics(used, changes.lit_from_outside || lit, emission_from, mesh, library, scene, missing_files, unread);
-    scene.dropped_faces = cut.zero_area_faces + mesh.faces_without_corners;
-    scene.counts = summary(scene, mesh, merged_pairs, cut.zero_area_faces);
+    std::optional<std::string> darkness;
+    if (!lit && !changes.lit_from_outside)
+        darkness = explain_darkness(emission_from == EmissionFrom::ka ? "Ka" : "Ke", mesh, missing_files, unread,
+                                    library.materials, scene);
+    require_physics(used, darkness, mesh, scene);
+    scene.counts = summary(scene, mesh, merged_pairs);
     return scene;
 }
 

@@ -75,11 +75,14 @@ public:
         for (std::uint32_t m = 0; m < definitions_.size(); ++m) {
             if (!(areas_[m] > 0.0))
                 continue;
+            const std::size_t failures_before = failures_.size();
             if (const auto texture = load(m, definitions_[m].reflectance_map))
                 apply_reflectance_map(m, texture, limit);
             if (const auto texture = load(m, definitions_[m].emission_map))
                 apply_emission_map(m, *texture);
             load(m, definitions_[m].opacity_map);
+            if (failures_.size() > failures_before)
+                failed_area_ += areas_[m];
         }
         if (!cut_.colours.empty())
             apply_colours(limit);
@@ -94,11 +97,10 @@ private:
     {
         if (map.line == 0)
             return nullptr;
-        ++maps_;
         const TextureFiles::Loaded& loaded = files_.load(map);
         if (!loaded.texture)
-            failures_.push_back(
-                {material, in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + loaded.problem + ")"});
+            failures_.push_back(in_quotes(scene_.materials[material].name) + " (" + map.file + ": " + loaded.problem +
+                                ")");
         return loaded.texture;
     }
 
@@ -130,13 +132,20 @@ private:
         return 1.0 / areas_[material] * sum;
     }
 
+    /// The colour that multiplies a texture: 1 if it is 0. `line`: where a file gives it, or 0.
+    Rgb beside_map(Rgb colour, const std::string& name, std::uint32_t line)
+    {
+        if (colour != Rgb{})
+            return colour;
+        if (line != 0)
+            zeros_.push_back(name);
+        return {1.0, 1.0, 1.0};
+    }
+
     void apply_reflectance_map(std::uint32_t m, const std::shared_ptr<const Texture>& texture, double limit)
     {
         Material& material = scene_.materials[m];
-        const bool is_black = material.reflectance == Rgb{};
-        const Rgb kd = is_black ? Rgb{1.0, 1.0, 1.0} : material.reflectance;
-        if (is_black && definitions_[m].kd_line != 0)
-            black_.push_back(in_quotes(material.name));
+        const Rgb kd = beside_map(material.reflectance, "Kd of " + in_quotes(material.name), definitions_[m].kd_line);
         material.texture_scale = {std::min(kd.r, limit), std::min(kd.g, limit), std::min(kd.b, limit)};
         material.reflectance = material.texture_scale * mean_of(m, definitions_[m].reflectance_map, *texture);
         material.texture = index_of(texture);
@@ -218,10 +227,8 @@ private:
     void apply_emission_map(std::uint32_t m, const Texture& texture)
     {
         Material& material = scene_.materials[m];
-        const bool is_dark = material.emittance == Rgb{};
-        if (is_dark && definitions_[m].emission_line != 0)
-            dark_.push_back(in_quotes(material.name));
-        const Rgb ke = is_dark ? Rgb{1.0, 1.0, 1.0} : material.emittance;
+        const Rgb ke =
+            beside_map(material.emittance, "Ke of " + in_quotes(material.name), definitions_[m].emission_line);
         material.emittance = ke * mean_of(m, definitions_[m].emission_map, texture);
     }
 
@@ -239,24 +246,14 @@ private:
     /// Warns of what is wrong, and returns a text for each texture that was not read.
     std::vector<std::string> report_failures()
     {
-        if (!black_.empty())
-            scene_.warnings.push_back(scene_.path + ": Kd = 0 beside a texture, which counts alone: " + join(black_));
-        if (!dark_.empty())
-            scene_.warnings.push_back(scene_.path + ": Ke = 0 beside a texture, which counts alone: " + join(dark_));
-        if (failures_.empty())
-            return {};
-        std::vector<std::string> texts;
-        std::vector<double> failed(areas_.size()); // [m^2] per material
-        for (const auto& [material, text] : failures_) {
-            failed[material] = areas_[material];
-            texts.push_back(text);
-        }
-        const double share =
-            std::accumulate(failed.begin(), failed.end(), 0.0) / std::accumulate(areas_.begin(), areas_.end(), 0.0);
-        scene_.warnings.push_back(scene_.path + ": " + std::to_string(failures_.size()) + " of " +
-                                  std::to_string(maps_) + " textures are not read, the colours of their materials (" +
-                                  format("%.3g", 100.0 * share) + " % of the area) stand alone: " + first_of(texts, 5));
-        return texts;
+        if (!zeros_.empty())
+            scene_.warnings.push_back(scene_.path + ": 0 beside a texture, which counts alone: " + join(zeros_));
+        const double share = failed_area_ / std::accumulate(areas_.begin(), areas_.end(), 0.0);
+        if (!failures_.empty())
+            scene_.warnings.push_back(scene_.path + ": " + counted(failures_.size(), "texture") +
+                                      " not read, the colours of the materials (" + format("%.3g", 100.0 * share) +
+                                      " % of the area) stand alone: " + first_of(failures_, 5));
+        return std::move(failures_);
     }
 
     const std::vector<MtlMaterial>& definitions_;
@@ -264,11 +261,10 @@ private:
     const ObjMesh& mesh_;
     TextureFiles& files_;
     SceneFile& scene_;
-    std::vector<double> areas_; ///< [m^2] per material
-    std::size_t maps_ = 0;
-    std::vector<std::pair<std::uint32_t, std::string>> failures_; ///< material and what is wrong
-    std::vector<std::string> black_;
-    std::vector<std::string> dark_;
+    std::vector<double> areas_;              ///< [m^2] per material
+    double failed_area_ = 0.0;               ///< [m^2] of the materials of failures_
+    std::vector<std::string> failures_;      ///< materials and what is wrong with their textures
+    std::vector<std::string> zeros_;         ///< "Kd of `wood`"
     std::shared_ptr<const Texture> palette_; ///< null if no piece has a colour
 };
 

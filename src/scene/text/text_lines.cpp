@@ -113,12 +113,6 @@ bool TextLines::next(TextLine& line)
     return true;
 }
 
-double TextLines::share_read() const
-{
-    const auto size = static_cast<double>(file_.size());
-    return size > 0.0 ? 1.0 - static_cast<double>(rest_.size()) / size : 0.0;
-}
-
 TextLine TextLines::join_continued(std::string_view first)
 {
     const TextLocation first_place = place();

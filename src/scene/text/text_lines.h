@@ -50,8 +50,7 @@ public:
     /// blanks and line ends, a line longer than longest_line, and a file that ends after a continuation backslash.
     bool next(TextLine& line);
 
-    /// [1] The share of the file that was returned so far; 0 for an empty file.
-    double share_read() const;
+    std::size_t file_size() const { return file_.size(); } ///< [bytes]
 
 private:
     bool physical_line(std::string_view& text);

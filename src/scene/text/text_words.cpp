@@ -116,9 +116,7 @@ std::string_view next_word(std::string_view& rest)
 
 bool equal_but_for_case(std::string_view a, std::string_view b)
 {
-    const auto lower_case = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char c, char d) { return lower_case(c) == lower_case(d); });
+    return lower_case(a) == lower_case(b);
 }
 
 std::string_view without_comment(std::string_view text)
@@ -166,20 +164,27 @@ double read_number(std::string_view word, const TextLocation& place, std::string
     return value;
 }
 
-void IgnoredKeywords::note(std::string_view keyword, TextLocation place)
+void Flaws::add(std::string_view flaw, std::uint32_t line, std::string_view word)
 {
-    if (names_.empty())
-        first_ = place;
-    const std::string name = in_quotes(keyword);
-    if (names_.size() < most_ && std::find(names_.begin(), names_.end(), name) == names_.end())
-        names_.push_back(name);
+    constexpr std::size_t most_words = 16;
+    const auto known = std::find_if(flaws_.begin(), flaws_.end(), [&](const Flaw& f) { return f.text == flaw; });
+    Flaw& same = known != flaws_.end() ? *known : flaws_.emplace_back(Flaw{std::string(flaw), line});
+    ++same.count;
+    if (word.empty() || same.words.size() == most_words)
+        return;
+    const std::string quoted = in_quotes(word);
+    if (std::find(same.words.begin(), same.words.end(), quoted) == same.words.end())
+        same.words.push_back(quoted);
 }
 
-std::optional<std::string> IgnoredKeywords::warning(const std::string& problem) const
+std::vector<std::string> Flaws::warnings(const std::string& path) const
 {
-    if (names_.empty())
-        return std::nullopt;
-    return name_of(first_) + ": " + problem + ": " + join(names_);
+    std::vector<std::string> result;
+    for (const Flaw& flaw : flaws_)
+        result.push_back(
+            name_of({path, flaw.first_line}) + ": " + flaw.text +
+            (flaw.words.empty() ? " (" + std::to_string(flaw.count) + " in the file)" : ": " + join(flaw.words)));
+    return result;
 }
 
 } // namespace multipath

@@ -3,6 +3,7 @@
 #include "scene/text/text_lines.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,24 +45,26 @@ std::optional<double> to_number(std::string_view word);
 /// location `place` and with `owner`, the name of what the number belongs to, for example "vertex".
 double read_number(std::string_view word, const TextLocation& place, std::string_view owner);
 
-/// Collects the keywords that a reader ignores, for a single warning.
-class IgnoredKeywords
+/// Collects what is wrong in the lines of a file, for one warning about each kind of flaw.
+class Flaws
 {
 public:
-    /// The warning names at most `most` different keywords, the first ones of the file.
-    explicit IgnoredKeywords(std::size_t most) : most_(most) {}
+    /// Counts a flaw. `word`: the word that it concerns, such as an ignored keyword, or empty.
+    void add(std::string_view flaw, std::uint32_t line, std::string_view word = "");
 
-    /// Records an ignored keyword and its location.
-    void note(std::string_view keyword, TextLocation place);
-
-    /// Returns the warning "room.obj:12: problem: `a`, `b`" with the line of the first keyword; nothing if no keyword
-    /// was recorded.
-    std::optional<std::string> warning(const std::string& problem) const;
+    /// "room.obj:12: flaw (3 in the file)" with the first line, or "room.obj:12: flaw: `a`, `b`" with the first 16
+    /// different words.
+    std::vector<std::string> warnings(const std::string& path) const;
 
 private:
-    std::size_t most_;
-    std::vector<std::string> names_; ///< different keywords in backquotes
-    TextLocation first_;             ///< of the first keyword
+    struct Flaw
+    {
+        std::string text;
+        std::uint32_t first_line;
+        std::size_t count = 0;
+        std::vector<std::string> words = {}; ///< different ones in backquotes
+    };
+    std::vector<Flaw> flaws_;
 };
 
 } // namespace multipath

@@ -70,7 +70,6 @@ TEST_CASE("every remedy is a scene option that takes its value")
     CHECK(option(Remedy::sky, "10") == "--sky");
     CHECK(option(Remedy::sun, "150,40,20") == "--sun");
     CHECK(option(Remedy::reflectance_limit, "0.9") == "--reflectance-limit");
-    CHECK(option(Remedy::emission_from, "Ka") == "--emission-from");
 }
 
 TEST_CASE("advice is given in clauses that begin with the option")

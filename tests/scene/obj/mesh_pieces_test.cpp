@@ -111,9 +111,9 @@ TEST_CASE("faces without area are dropped and counted, at any distance from the 
 {
     for (const double offset : {0.0, 1000.0}) {
         ObjMesh mesh = polygon({{offset, 0, 0}, {offset + 1, 1, 1}, {offset + 2, 2, 2}});
-        CHECK(cut(mesh).zero_area_faces == 1);
+        CHECK(contains(cut(mesh).warnings.at(0), "a face without an area is dropped (1 in the file)"));
         mesh = polygon({{offset, 0, 0}, {offset + 1, 1, 1}, {offset + 2, 2, 2}, {offset + 1, 1, 1}, {offset, 0, 0}});
-        CHECK(cut(mesh).zero_area_faces == 1);
+        CHECK(contains(cut(mesh).warnings.at(0), "a face without an area is dropped (1 in the file)"));
         CHECK(cut(mesh).pieces.empty());
     }
 }

@@ -165,9 +165,11 @@ TEST_CASE("every fixture is in one of the two lists")
 
 TEST_CASE("flaws of the fixtures are counted or warned of")
 {
-    CHECK(parse_obj(fixture("20_two_vertex_face")).faces_without_corners == 2);
+    CHECK(contains(parse_obj(fixture("20_two_vertex_face")).warnings.at(0),
+                   "a face of fewer than three vertices is dropped (2 in the file)"));
     const ObjMesh repeated_corner = parse_obj(fixture("21_dup_vertex_face"));
-    CHECK(cut_into_pieces(repeated_corner, scale_of(repeated_corner)).zero_area_faces == 1);
+    CHECK(contains(cut_into_pieces(repeated_corner, scale_of(repeated_corner)).warnings.at(0),
+                   "a face without an area is dropped (1 in the file)"));
     const ObjMesh bent = parse_obj(fixture("34_nonplanar"));
     const std::vector<std::string> warnings = cut_into_pieces(bent, scale_of(bent)).warnings;
     REQUIRE(warnings.size() == 1);

@@ -49,22 +49,6 @@ TEST_CASE("any line end ends a line, and lines are numbered as an editor does")
                 "a\n") == Lines{{"a", 1}});
 }
 
-TEST_CASE("the share of the file that was read grows from nothing to all")
-{
-    const ScratchFolder folder;
-    std::string text;
-    for (int k = 0; k < 100000; ++k)
-        text += "123456789\n";
-    const std::string path = folder.write("a.txt", text);
-    TextLines lines(path);
-    CHECK(lines.share_read() == 0.0);
-    TextLine line;
-    for (int k = 1; lines.next(line); ++k)
-        if (k % 1000 == 0)
-            CHECK(lines.share_read() == doctest::Approx(k / 100000.0));
-    CHECK(lines.share_read() == 1.0);
-}
-
 TEST_CASE("a backslash joins lines, but not in names and comments")
 {
     CHECK(split("f 1 \\\r\n2\\ \n3\nv\n") == Lines{{"f 1  2 3", 1}, {"v", 4}});
