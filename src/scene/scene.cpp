@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <initializer_list>
 #include <stdexcept>
 #include <utility>
 
@@ -26,24 +25,25 @@ namespace {
 class Hash
 {
 public:
-    void add(std::uint64_t value) { state_ = mix_bits(state_ ^ value); }
-    void add(double value)
+    template <class... Values>
+    void add(const Values&... values)
+    {
+        (chain(values), ...);
+    }
+    std::uint64_t value() const { return state_; }
+
+private:
+    void chain(std::uint64_t value) { state_ = mix_bits(state_ ^ value); }
+    void chain(double value)
     {
         const double without_sign_of_zero = value == 0.0 ? 0.0 : value;
         std::uint64_t bits = 0;
         std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
-        add(bits);
+        chain(bits);
     }
-    void add(std::initializer_list<double> values)
-    {
-        for (const double value : values)
-            add(value);
-    }
-    void add(Vec3 v) { add({v.x, v.y, v.z}); }
-    void add(Rgb c) { add({c.r, c.g, c.b}); }
-    std::uint64_t value() const { return state_; }
+    void chain(Vec3 v) { add(v.x, v.y, v.z); }
+    void chain(Rgb c) { add(c.r, c.g, c.b); }
 
-private:
     std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
@@ -56,29 +56,21 @@ std::uint64_t scene_hash(const SceneFile& file, const LargeVector<Tessellation>&
     for (std::size_t s = 0; s < file.surfaces.size(); ++s) {
         const Surface& surface = file.surfaces[s];
         const Material& material = file.materials[file.material[s]];
-        hash.add(std::uint64_t{surface.shape == Shape::triangle});
-        hash.add(surface.origin);
-        hash.add(surface.edge_u);
-        hash.add(surface.edge_v);
-        hash.add(material.reflectance);
-        hash.add(material.emittance);
-        hash.add(std::uint64_t{tessellations[s].cells_u});
-        hash.add(std::uint64_t{tessellations[s].cells_v});
+        const Tessellation& tessellation = tessellations[s];
+        hash.add(std::uint64_t{surface.shape == Shape::triangle}, surface.origin, surface.edge_u, surface.edge_v,
+                 material.reflectance, material.emittance, std::uint64_t{tessellation.cells_u},
+                 std::uint64_t{tessellation.cells_v});
         if (material.texture != Material::no_texture) {
             const TextureFrame& frame = file.texture_frames[s];
-            hash.add(file.textures[material.texture]->hash());
-            hash.add(material.texture_scale);
+            hash.add(file.textures[material.texture]->hash(), material.texture_scale);
             for (const TexturePoint p : {frame.origin, frame.along_u, frame.along_v})
-                hash.add({p.s, p.t, frame.known ? 1.0 : 0.0});
+                hash.add(p.s, p.t, frame.known ? 1.0 : 0.0);
         }
-        if (tessellations[s].trees)
-            for (std::uint32_t cell = 0; cell < tessellations[s].cell_count(); ++cell)
-                hash.add(std::uint64_t{tessellations[s].level(cell)});
+        for (std::uint32_t cell = 0; tessellation.trees && cell < tessellation.cell_count(); ++cell)
+            hash.add(std::uint64_t{tessellation.level(cell)});
     }
-    if (file.sun) {
-        hash.add(file.sun->direction);
-        hash.add(file.sun->irradiance);
-    }
+    if (file.sun)
+        hash.add(file.sun->direction, file.sun->irradiance);
     return hash.value();
 }
 
@@ -216,11 +208,9 @@ public:
     /// The share of a patch that the sun reaches, estimated from 16 points, or from 256 if those do not agree.
     double visible_share(const Patch& patch)
     {
-        constexpr std::size_t few = 16;
-        constexpr std::size_t many = 256;
-        const std::size_t sunlit = count_sunlit(patch, few);
-        return sunlit == 0 || sunlit == few ? static_cast<double>(sunlit) / few
-                                            : static_cast<double>(count_sunlit(patch, many)) / many;
+        const std::size_t sunlit = count_sunlit(patch, 16);
+        return sunlit == 0 || sunlit == 16 ? static_cast<double>(sunlit) / 16.0
+                                           : static_cast<double>(count_sunlit(patch, 256)) / 256.0;
     }
 
 private:

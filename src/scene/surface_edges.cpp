@@ -6,16 +6,6 @@
 
 namespace multipath {
 
-void add_edges(std::uint32_t face, const std::vector<std::uint32_t>& corners, LargeVector<FaceEdge>& edges)
-{
-    std::uint32_t from = corners.back();
-    for (const std::uint32_t to : corners) {
-        if (from != to)
-            edges.push_back({std::min(from, to), std::max(from, to), face, from < to});
-        from = to;
-    }
-}
-
 LargeVector<FaceEdge> edges_of(const SurfaceList& surfaces, const Bounds& bounds)
 {
     LargeVector<Vec3> corners;
@@ -27,8 +17,10 @@ LargeVector<FaceEdge> edges_of(const SurfaceList& surfaces, const Bounds& bounds
     auto first = welded.begin();
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         const auto end = first + (surfaces[s].shape == Shape::triangle ? 3 : 4);
-        add_edges(s, {first, end}, edges);
-        first = end;
+        std::uint32_t from = *(end - 1);
+        for (; first != end; from = *first++)
+            if (from != *first)
+                edges.push_back({std::min(from, *first), std::max(from, *first), s, from < *first});
     }
     return edges;
 }

@@ -20,10 +20,7 @@ struct FaceEdge
     bool upward; ///< the face, counter-clockwise, goes from `low` to `high`
 };
 
-/// Appends the sides of a polygon, except those without length.
-void add_edges(std::uint32_t face, const std::vector<std::uint32_t>& corners, LargeVector<FaceEdge>& edges);
-
-/// The sides of all surfaces, whose corners are snapped() and welded.
+/// The sides of all surfaces, except those without length. Corners are snapped() and welded.
 LargeVector<FaceEdge> edges_of(const SurfaceList& surfaces, const Bounds& bounds);
 
 /// Calls see(begin, end) with the sides that lie between the same two corners, for all such pairs of corners.

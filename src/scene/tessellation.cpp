@@ -30,35 +30,20 @@ double cells_along(double edge, double patch_size)
 
 } // namespace
 
-/// A cell of a grid: its column and row, and for triangles its half of the grid square.
-struct CellTrees::GridCell
-{
-    std::uint32_t i;
-    std::uint32_t j;
-    bool upper; ///< upside down; its origin is (i + 1, j + 1)
-
-    std::uint32_t number(const Tessellation& grid) const
-    {
-        if (grid.shape == Shape::parallelogram)
-            return i * grid.cells_v + j;
-        return static_cast<std::uint32_t>(Tessellation::cells_before_column(i, grid.cells_u)) + 2 * j + (upper ? 1 : 0);
-    }
-
-    /// The four cells that it divides into. Those of a triangle lie at its origin, in its middle, at the end of its
-    /// edge_v and at the end of its edge_u.
-    std::array<GridCell, 4> parts(Shape shape) const
-    {
-        const std::uint32_t a = 2 * i;
-        const std::uint32_t b = 2 * j;
-        if (shape == Shape::parallelogram)
-            return {{{a, b, false}, {a, b + 1, false}, {a + 1, b, false}, {a + 1, b + 1, false}}};
-        if (upper)
-            return {{{a + 1, b + 1, true}, {a + 1, b + 1, false}, {a + 1, b, true}, {a, b + 1, true}}};
-        return {{{a, b, false}, {a, b, true}, {a, b + 1, false}, {a + 1, b, false}}};
-    }
-};
-
 namespace {
+
+/// The four cells that a cell divides into. Those of a triangle lie at its origin, in its middle, at the end of its
+/// edge_v and at the end of its edge_u.
+std::array<GridCell, 4> parts_of(const GridCell& cell, Shape shape)
+{
+    const std::uint32_t a = 2 * cell.i;
+    const std::uint32_t b = 2 * cell.j;
+    if (shape == Shape::parallelogram)
+        return {{{a, b}, {a, b + 1}, {a + 1, b}, {a + 1, b + 1}}};
+    if (cell.upper)
+        return {{{a + 1, b + 1, true}, {a + 1, b + 1, false}, {a + 1, b, true}, {a, b + 1, true}}};
+    return {{{a, b, false}, {a, b, true}, {a, b + 1, false}, {a + 1, b, false}}};
+}
 
 [[noreturn]] void refuse_levels()
 {
@@ -80,12 +65,8 @@ CellTrees::CellTrees(const Tessellation& grid, const std::uint8_t* levels, std::
     const auto cells = static_cast<std::uint32_t>(grid.cell_count());
     nodes_.resize(cells);
     leaves_.reserve(count);
-    for (std::uint32_t cell = 0; cell < cells; ++cell) {
-        const CellCorners around = grid.corners(cell);
-        const bool upper = grid.shape == Shape::triangle && around.points[1].i < around.points[0].i;
-        const std::uint32_t back = upper ? 1 : 0;
-        add_tree(grid, {around.points[0].i - back, around.points[0].j - back, upper}, 0, cell, levels, count);
-    }
+    for (std::uint32_t cell = 0; cell < cells; ++cell)
+        add_tree(grid, grid.grid_cell(cell), 0, cell, levels, count);
     if (leaves_.size() != count)
         refuse_levels();
 }
@@ -98,36 +79,20 @@ void CellTrees::add_tree(const Tessellation& grid, GridCell cell, std::uint8_t l
         refuse_levels();
     if (levels[leaf] == level) {
         nodes_[node] = static_cast<std::uint32_t>(leaf);
-        leaves_.push_back({cell.number(grid.uniform(level)), level});
+        leaves_.push_back({grid.uniform(level).number(cell), level});
         return;
     }
     std::size_t part = nodes_.size();
     nodes_[node] = inner | static_cast<std::uint32_t>(part);
     nodes_.resize(part + 4);
-    for (const GridCell& quarter : cell.parts(shape_))
+    for (const GridCell& quarter : parts_of(cell, shape_))
         add_tree(grid, quarter, static_cast<std::uint8_t>(level + 1), part++, levels, count);
 }
 
-CellCorners Tessellation::corners(std::uint32_t cell) const
+GridCell Tessellation::grid_cell(std::uint32_t cell) const
 {
-    if (!trees)
-        return uniform_corners(cell);
-    const std::uint8_t level = trees->level(cell);
-    CellCorners result = uniform(level).uniform_corners(trees->cell_of_level(cell));
-    for (GridPoint& point : result.points) {
-        point.i <<= trees->depth() - level;
-        point.j <<= trees->depth() - level;
-    }
-    return result;
-}
-
-CellCorners Tessellation::uniform_corners(std::uint32_t cell) const
-{
-    if (shape == Shape::parallelogram) {
-        const std::uint32_t i = cell / cells_v;
-        const std::uint32_t j = cell % cells_v;
-        return {{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, 4};
-    }
+    if (shape == Shape::parallelogram)
+        return {cell / cells_v, cell % cells_v};
     const double n = cells_u;
     auto i = static_cast<std::uint32_t>(n - std::sqrt(n * n - cell));
     while (i > 0 && cells_before_column(i, cells_u) > cell)
@@ -135,10 +100,30 @@ CellCorners Tessellation::uniform_corners(std::uint32_t cell) const
     while (i + 1 < cells_u && cells_before_column(i + 1, cells_u) <= cell)
         ++i;
     const auto in_column = static_cast<std::uint32_t>(cell - cells_before_column(i, cells_u));
-    const std::uint32_t j = in_column / 2;
-    if (in_column % 2 == 0)
-        return {{{{i, j}, {i + 1, j}, {i, j + 1}, {}}}, 3};
-    return {{{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}, {}}}, 3};
+    return {i, in_column / 2, in_column % 2 != 0};
+}
+
+std::uint32_t Tessellation::number(const GridCell& cell) const
+{
+    if (shape == Shape::parallelogram)
+        return cell.i * cells_v + cell.j;
+    return static_cast<std::uint32_t>(cells_before_column(cell.i, cells_u)) + 2 * cell.j + (cell.upper ? 1 : 0);
+}
+
+CellCorners Tessellation::corners(std::uint32_t cell) const
+{
+    const std::uint8_t level = this->level(cell);
+    const auto [i, j, upper] = uniform(level).grid_cell(trees ? trees->cell_of_level(cell) : cell);
+    CellCorners result = {{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}, 4};
+    if (shape == Shape::triangle && upper)
+        result = {{{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}, {}}}, 3};
+    else if (shape == Shape::triangle)
+        result = {{{{i, j}, {i + 1, j}, {i, j + 1}, {}}}, 3};
+    for (GridPoint& point : result.points) {
+        point.i <<= depth() - level;
+        point.j <<= depth() - level;
+    }
+    return result;
 }
 
 Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
@@ -147,10 +132,10 @@ Surface Tessellation::cell(const Surface& surface, std::uint32_t cell) const
         return uniform(trees->level(cell)).cell(surface, trees->cell_of_level(cell));
     const double n_u = cells_u;
     const double n_v = cells_v;
-    const CellCorners around = corners(cell);
-    const GridPoint origin = around.points[0];
-    const double along = around.points[1].i > origin.i ? 1.0 : -1.0; // every other cell of a triangle is upside down
-    return {shape, surface.at(origin.i / n_u, origin.j / n_v), (along / n_u) * surface.edge_u,
+    const auto [i, j, upper] = grid_cell(cell);
+    const std::uint32_t further = upper ? 1 : 0;
+    const double along = upper ? -1.0 : 1.0; // every other cell of a triangle is upside down
+    return {shape, surface.at((i + further) / n_u, (j + further) / n_v), (along / n_u) * surface.edge_u,
             (along / n_v) * surface.edge_v};
 }
 

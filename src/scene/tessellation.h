@@ -30,6 +30,14 @@ struct CellCorners
     const GridPoint* end() const { return points.data() + count; }
 };
 
+/// A cell of a grid: its column and row, and for triangles its half of the grid square.
+struct GridCell
+{
+    std::uint32_t i;
+    std::uint32_t j;
+    bool upper = false; ///< upside down; its origin is (i + 1, j + 1)
+};
+
 struct Tessellation;
 
 /// One quadtree (Samet 1984) per cell of a grid: a cell is divided into four similar cells of equal area, recursively.
@@ -64,7 +72,6 @@ private:
         std::uint32_t cell;
         std::uint8_t level;
     };
-    struct GridCell;
     /// Adds the subtree of a cell, whose root is nodes_[node] and whose first leaf is the next one.
     void add_tree(const Tessellation& grid, GridCell cell, std::uint8_t level, std::size_t node,
                   const std::uint8_t* levels, std::size_t count);
@@ -104,12 +111,14 @@ struct Tessellation
     /// The grid with each of its cells divided into 4^level, without trees.
     Tessellation uniform(std::uint8_t level) const { return {shape, cells_u << level, cells_v << level, nullptr}; }
 
+    GridCell grid_cell(std::uint32_t cell) const;     ///< of the grid without its trees
+    std::uint32_t number(const GridCell& cell) const; ///< the inverse of grid_cell()
+
     /// Number of cells of a triangle in the columns before column i of n; column i has 2 (n - i) - 1 cells.
     static std::uint64_t cells_before_column(std::uint64_t i, std::uint64_t n) { return i * (2 * n - i); }
 
 private:
     std::uint8_t depth() const { return trees ? trees->depth() : std::uint8_t{0}; }
-    CellCorners uniform_corners(std::uint32_t cell) const;
     static std::uint32_t cell_index(double x, std::uint32_t cells)
     {
         const double position = x * cells;

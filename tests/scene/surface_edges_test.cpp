@@ -27,9 +27,13 @@ TEST_CASE("a part is what hangs together by edges of two surfaces; a third surfa
 
 TEST_CASE("sides without length are left out, and sides of the same corners are seen together")
 {
-    LargeVector<FaceEdge> edges;
-    add_edges(0, {5, 2, 2}, edges);
-    add_edges(1, {2, 5, 9}, edges);
+    // Two triangles of different sides; the third corner of the first is at its second.
+    Bounds bounds;
+    bounds.include(Vec3{0, 0, 0});
+    bounds.include(Vec3{1, 1, 1});
+    const LargeVector<FaceEdge> edges = edges_of(
+        {{Shape::triangle, {1, 0, 0}, {-1, 0, 0}, {-1, 1e-12, 0}}, {Shape::triangle, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+        bounds);
     REQUIRE(edges.size() == 5);
     std::vector<std::vector<std::uint32_t>> faces;
     for_each_edge(edges, [&](auto begin, auto end) {
@@ -38,7 +42,7 @@ TEST_CASE("sides without length are left out, and sides of the same corners are 
             faces.back().push_back(side->face);
     });
     REQUIRE(faces.size() == 3);
-    CHECK(faces[0].size() == 3); // 2 to 5 and back, and 2 to 5
+    CHECK(faces[0].size() == 3); // there and back, and once more
     CHECK(faces[1] == std::vector<std::uint32_t>{1});
     CHECK(faces[2] == std::vector<std::uint32_t>{1});
 }
