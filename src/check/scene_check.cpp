@@ -84,16 +84,12 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
 
 std::vector<std::uint32_t> surfaces_with_open_edges(const SurfaceList& surfaces)
 {
-    std::vector<bool> is_open(surfaces.size());
+    std::set<std::uint32_t> open;
     for_each_edge(edges_of(surfaces, bounds_of(surfaces)), [&](auto begin, auto end) {
         if (std::all_of(begin, end, [&](const FaceEdge& side) { return side.upward == begin->upward; }))
-            std::for_each(begin, end, [&](const FaceEdge& side) { is_open[side.face] = true; });
+            std::for_each(begin, end, [&](const FaceEdge& side) { open.insert(side.face); });
     });
-    std::vector<std::uint32_t> open;
-    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-        if (is_open[s])
-            open.push_back(s);
-    return open;
+    return {open.begin(), open.end()};
 }
 
 // The checks look at the scene, at the file from which it was read, and at the survey of lines and the power balance in
@@ -179,8 +175,7 @@ private:
     std::string name_of(std::uint32_t surface) const
     {
         const std::string& group = file_.groups[file_.group[surface]];
-        const std::string& other =
-            surface < file_.other_name.size() ? file_.other_names[file_.other_name[surface]] : "";
+        const std::string other = file_.other_name(surface);
         return (group.empty() ? "a face" : group) + (other.empty() ? "" : " of " + other) + " (line " +
                std::to_string(file_.line[surface]) + ")";
     }

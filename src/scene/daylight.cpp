@@ -12,22 +12,14 @@ void add_sky(SceneFile& file, Rgb emittance)
 {
     constexpr double distance = 0.05; // relative to the diagonal: no surface may lie in a plane of the sky
     const Bounds box = bounds_of(file.surfaces);
-    const double margin = distance * box.diagonal();
-    const Vec3 low = box.low - Vec3{margin, margin, margin};
-    const Vec3 d = box.size() + 2.0 * Vec3{margin, margin, margin};
-    const Vec3 x = {d.x, 0, 0};
-    const Vec3 y = {0, d.y, 0};
-    const Vec3 z = {0, 0, d.z};
+    const Vec3 margin = distance * box.diagonal() * Vec3{1, 1, 1};
     const auto material = static_cast<std::uint32_t>(file.materials.size());
     const auto group = static_cast<std::uint32_t>(file.groups.size());
     file.materials.push_back({"sky", {}, emittance, file.path});
     file.groups.emplace_back("sky");
-    const std::size_t before = file.surfaces.size();
-    for (const Surface& side : {Surface{Shape::parallelogram, low, z, x}, Surface{Shape::parallelogram, low + y, x, z},
-                                Surface{Shape::parallelogram, low, y, z}, Surface{Shape::parallelogram, low + x, z, y},
-                                Surface{Shape::parallelogram, low, x, y}, Surface{Shape::parallelogram, low + z, y, x}})
-        file.surfaces.push_back(side);
-    file.sky_surfaces = static_cast<std::uint32_t>(file.surfaces.size() - before);
+    for (const Surface& wall : walls_of_room(box.low - margin, box.size() + 2.0 * margin))
+        file.surfaces.push_back(wall);
+    file.sky_surfaces = 6;
     file.material.resize(file.surfaces.size(), material);
     file.group.resize(file.surfaces.size(), group);
     file.line.resize(file.surfaces.size(), 0);

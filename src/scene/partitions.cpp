@@ -36,24 +36,8 @@ constexpr std::size_t most_contacts = 1024; ///< per surface
 constexpr double nearly_parallel = 1e-3;    ///< [radian]
 constexpr std::size_t most_parts = 256;     ///< of a surface
 
-/// A point of the plane of a surface, along two perpendicular unit vectors [scene units].
-struct Point2
-{
-    double x;
-    double y;
-};
-Point2 operator-(Point2 a, Point2 b)
-{
-    return {a.x - b.x, a.y - b.y};
-}
-double dot(Point2 a, Point2 b)
-{
-    return a.x * b.x + a.y * b.y;
-}
-double cross(Point2 a, Point2 b)
-{
-    return a.x * b.y - a.y * b.x;
-}
+/// A point or vector in the plane of a surface, along two perpendicular unit vectors [scene units]; z is 0.
+using FlatPoint = Vec3;
 
 struct Span
 {
@@ -65,15 +49,15 @@ struct Span
 /// A directed line in the plane of a surface with the contacts along it.
 struct ContactLine
 {
-    Point2 origin;
-    Point2 along; ///< unit vector
+    FlatPoint origin;
+    FlatPoint along; ///< unit vector
     bool faces_left = false;
     bool faces_right = false;   ///< some partition has its front on this side
     std::vector<Span> contacts; ///< along the line; disjoint once joined
     Span longest = {0.0, 0.0};
 
-    double height(Point2 p) const { return cross(along, p - origin); } ///< distance, positive to the left
-    double place(Point2 p) const { return dot(along, p - origin); }
+    double height(FlatPoint p) const { return cross(along, p - origin).z; } ///< distance, positive to the left
+    double place(FlatPoint p) const { return dot(along, p - origin); }
 };
 
 /// The plane of a surface.
@@ -83,7 +67,7 @@ struct SurfacePlane
         : origin(surface.origin), normal(surface.normal()), x(normalized(surface.edge_u)), y(cross(normal, x))
     {
     }
-    Point2 flat(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
+    FlatPoint flat(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y), 0.0}; }
 
     Vec3 origin, normal, x, y;
 };
@@ -91,8 +75,8 @@ struct SurfacePlane
 /// The segment in which a surface meets the plane; the front of that surface is on the right.
 struct Contact
 {
-    Point2 from;
-    Point2 to;
+    FlatPoint from;
+    FlatPoint to;
     double size() const { return std::hypot(to.x - from.x, to.y - from.y); }
 };
 
@@ -107,8 +91,8 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
     const Vec3 direction = cross(plane.normal, other.normal());
     if (!(length(direction) > nearly_parallel))
         return std::nullopt;
-    const Point2 along = plane.flat(plane.origin + normalized(direction));
-    std::vector<Point2> met;
+    const FlatPoint along = plane.flat(plane.origin + normalized(direction));
+    std::vector<FlatPoint> met;
     for (std::size_t k = 0; k < polygon.size; ++k) {
         const Vec3 from = polygon.corners[k];
         const Vec3 to = polygon.next(k);
@@ -121,8 +105,8 @@ std::optional<Contact> contact_with(const SurfacePlane& plane, const Surface& ot
     }
     if (met.empty())
         return std::nullopt;
-    const auto [first, last] =
-        std::minmax_element(met.begin(), met.end(), [&](Point2 a, Point2 b) { return dot(along, a) < dot(along, b); });
+    const auto [first, last] = std::minmax_element(
+        met.begin(), met.end(), [&](FlatPoint a, FlatPoint b) { return dot(along, a) < dot(along, b); });
     const Contact found = {*first, *last}; // its left is normal x direction, away from the front of the other
     if (!(found.size() > limits.touching()))
         return std::nullopt;
@@ -152,8 +136,9 @@ std::vector<ContactLine> contact_lines(const std::vector<Contact>& contacts, con
             return std::abs(other.height(contact.from)) <= near && std::abs(other.height(contact.to)) <= near;
         });
         if (line == lines.end()) {
-            const Point2 way = contact.to - contact.from;
-            lines.push_back({contact.from, {way.x / contact.size(), way.y / contact.size()}, false, false, {}, {}});
+            const FlatPoint way = contact.to - contact.from;
+            lines.push_back(
+                {contact.from, {way.x / contact.size(), way.y / contact.size(), 0.0}, false, false, {}, {}});
             line = lines.end() - 1;
         }
         const auto [low, high] = std::minmax({line->place(contact.from), line->place(contact.to)});
@@ -180,7 +165,7 @@ const ContactLine* other_side(const ContactLine& line, const std::vector<Contact
     double nearest = Bounds::infinity;
     for (const ContactLine& other : lines) {
         const double turn = dot(line.along, other.along);
-        if (!(std::abs(cross(line.along, other.along)) <= nearly_parallel))
+        if (!(std::abs(cross(line.along, other.along).z) <= nearly_parallel))
             continue;
         const double left = line.height(other.origin);
         const double depth = line.faces_left ? -left : left;
@@ -199,11 +184,6 @@ const ContactLine* other_side(const ContactLine& line, const std::vector<Contact
         }
     }
     return found;
-}
-
-bool is_slim(const ContactLine& one, const ContactLine& other)
-{
-    return std::abs(one.height(other.origin)) <= slim_width * one.longest.size();
 }
 
 /// A point (u, v) of a surface.
@@ -345,7 +325,8 @@ std::vector<ContactLine> partition_lines(const Surface& surface, const std::vect
     std::vector<ContactLine> lines;
     for (const ContactLine& line : all) {
         const ContactLine* other = divides(line) ? other_side(line, all, limits) : nullptr;
-        if (other ? is_slim(line, *other) && divides(*other) && &line < other : divides(line))
+        const bool is_slim = other && std::abs(line.height(other->origin)) <= slim_width * line.longest.size();
+        if (other ? is_slim && divides(*other) && &line < other : divides(line))
             lines.push_back(line);
     }
     std::stable_sort(lines.begin(), lines.end(),
@@ -425,8 +406,8 @@ PartitionCuts cut_at_partitions(SceneFile& file, bool two_sided)
     const std::size_t most_added = 1024 + file.surfaces.size() / 8;
     const PartitionLimits limits = {bounds_of(file.surfaces).diagonal(), two_sided};
     std::map<std::uint32_t, std::vector<SurfacePiece>> cut;
-    const DividedSurfaces found = divided_surfaces(file.surfaces, limits);
-    for (const auto& [s, lines] : found.list) {
+    const DividedSurfaces divided = divided_surfaces(file.surfaces, limits);
+    for (const auto& [s, lines] : divided.list) {
         std::vector<SurfacePiece> pieces = pieces_of(file.surfaces[s], lines, limits);
         if (cuts.pieces + pieces.size() > most_added + cuts.surfaces + 1)
             continue;
@@ -451,7 +432,7 @@ PartitionCuts cut_at_partitions(SceneFile& file, bool two_sided)
     const auto part = [](const SurfacePiece& piece, const auto& whole) { return piece.of(whole); };
     put_pieces(file.surfaces, part);
     put_pieces(file.texture_frames, part);
-    for (std::vector<std::uint32_t>* list : {&file.material, &file.group, &file.other_name, &file.line})
+    for (std::vector<std::uint32_t>* list : {&file.material, &file.group, &file.line})
         put_pieces(*list, same);
     return cuts;
 }

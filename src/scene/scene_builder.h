@@ -2,6 +2,7 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -47,20 +48,13 @@ public:
         return surface({Shape::triangle, a, b - a, c - a}, material);
     }
 
-    /// The six walls of a room, facing inward. Order of their materials: floor, ceiling (y is up), low x, high x, low
-    /// z, high z.
+    /// The walls_of_room() with a material each.
     SceneBuilder& room(Vec3 low, Vec3 high, const std::vector<std::uint32_t>& materials)
     {
-        const Vec3 d = high - low;
-        const Vec3 x = {d.x, 0, 0};
-        const Vec3 y = {0, d.y, 0};
-        const Vec3 z = {0, 0, d.z};
-        rectangle(low, z, x, materials[0]);
-        rectangle(low + y, x, z, materials[1]);
-        rectangle(low, y, z, materials[2]);
-        rectangle(low + x, z, y, materials[3]);
-        rectangle(low, x, y, materials[4]);
-        return rectangle(low + z, y, x, materials[5]);
+        const std::array<Surface, 6> walls = walls_of_room(low, high - low);
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            surface(walls[k], materials[k]);
+        return *this;
     }
     SceneBuilder& room(Vec3 low, Vec3 high, std::uint32_t material)
     {

@@ -4,6 +4,7 @@
 #include "scene/rgb.h"
 #include "scene/texture/texture.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -53,17 +54,15 @@ struct SceneFile
     /// Names in `o` and `g` statements that apply to a face, in order of appearance; "" for faces before the first such
     /// statement. add_sky() appends "sky".
     std::vector<std::string> groups;
+    /// Per group: the object that `g` divides, or the group of `g` directly before `o`; or "". Shorter for groups that
+    /// no file has, and in a scene from a state.
+    std::vector<std::string> other_names;
 
     /// `surfaces`, `material`, `group` and `line` have one entry per surface. The surfaces are in the order of their
     /// faces in the file; those of the sky come last.
     SurfaceList surfaces;
     std::vector<std::uint32_t> material; ///< index into materials
     std::vector<std::uint32_t> group;    ///< index into groups
-    /// Names of objects that `g` divides into groups, and of groups of `g` directly before `o`. `other_name` has an
-    /// index into it per surface except the sky; both are empty if there are no such names, and in a scene from a
-    /// state.
-    std::vector<std::string> other_names;
-    std::vector<std::uint32_t> other_name;
     /// Line of the face in the file; that of the first face if several were joined into one surface; 0 for the sky.
     std::vector<std::uint32_t> line;
 
@@ -75,11 +74,15 @@ struct SceneFile
     bool photometric = false; ///< true if emittances are in lm/m^2; then W stands for lm everywhere
     bool is_flipped = false;  ///< true after flipped(); not known for a scene from a state
 
+    /// The second name of a surface's group; "" if it has none.
+    std::string other_name(std::size_t surface) const
+    {
+        return group[surface] < other_names.size() ? other_names[group[surface]] : "";
+    }
     /// True if the surface belongs to the object or group of this name.
     bool is_named(std::size_t surface, const std::string& name) const
     {
-        return groups[group[surface]] == name ||
-               (surface < other_name.size() && !name.empty() && other_names[other_name[surface]] == name);
+        return groups[group[surface]] == name || (!name.empty() && other_name(surface) == name);
     }
 
     /// Number of surfaces without the sky.
@@ -91,6 +94,21 @@ struct SceneFile
     std::vector<std::string> unused_materials;  ///< "file:line: name" of materials that are defined but used by no face
     std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 1 material not used"
 };
+
+/// The six walls of a room, facing inward: floor, ceiling (y is up), low x, high x, low z, high z.
+inline std::array<Surface, 6> walls_of_room(Vec3 low, Vec3 size)
+{
+    const Vec3 x = {size.x, 0, 0};
+    const Vec3 y = {0, size.y, 0};
+    const Vec3 z = {0, 0, size.z};
+    const Shape shape = Shape::parallelogram;
+    return {{{shape, low, z, x},
+             {shape, low + y, x, z},
+             {shape, low, y, z},
+             {shape, low + x, z, y},
+             {shape, low, x, y},
+             {shape, low + z, y, x}}};
+}
 
 /// The files that a scene consists of, and the names under which missing ones are looked for: none of them may become
 /// an output.

@@ -294,12 +294,11 @@ TEST_CASE("pieces keep their material, names, line and texture")
         for (std::uint32_t s = 0; s < file.surfaces.size(); ++s) {
             file.texture_frames.push_back({{0.1, 0.2}, {2.0 + s, 0.5}, {-0.25, 3.0}, true});
             file.group[s] = s % 3;
-            file.other_name.push_back(s % 5);
         }
         const SceneFile before = file;
         cut_at_partitions(file, c.two_sided);
-        for (const std::size_t size : {file.material.size(), file.group.size(), file.other_name.size(),
-                                       file.line.size(), file.texture_frames.size()})
+        for (const std::size_t size :
+             {file.material.size(), file.group.size(), file.line.size(), file.texture_frames.size()})
             REQUIRE(size == file.surfaces.size());
         CHECK(std::is_sorted(file.line.begin(), file.line.end()));
         for (std::size_t k = 0; k < file.surfaces.size(); ++k) {
@@ -308,7 +307,6 @@ TEST_CASE("pieces keep their material, names, line and texture")
             const Surface& whole = before.surfaces[s];
             CHECK(file.material[k] == before.material[s]);
             CHECK(file.group[k] == before.group[s]);
-            CHECK(file.other_name[k] == before.other_name[s]);
             CHECK(length(piece.normal() - whole.normal()) < 1e-9);
             // (u, v) of the piece's centre on the whole surface, by Cramer's rule
             const Vec3 way = piece.centre() - whole.origin;

@@ -6,6 +6,7 @@
 #include "scene/obj/cutouts.h"
 
 #include "base/text_format.h"
+#include "geometry/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -115,12 +116,11 @@ struct PixelRectangle
 
 PixelRectangle around(const TexturePolygon& polygon)
 {
-    const auto [left, right] =
-        std::minmax_element(polygon.begin(), polygon.end(), [](TexturePoint a, TexturePoint b) { return a.s < b.s; });
-    const auto [low, high] =
-        std::minmax_element(polygon.begin(), polygon.end(), [](TexturePoint a, TexturePoint b) { return a.t < b.t; });
+    Bounds box;
+    for (const TexturePoint p : polygon)
+        box.include(Vec3{p.s, p.t, 0.0});
     const auto floor = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
-    return {floor(left->s), floor(low->t), floor(right->s) + 1, floor(high->t) + 1};
+    return {floor(box.low.x), floor(box.low.y), floor(box.high.x) + 1, floor(box.high.y) + 1};
 }
 
 /// The opaque pixels in a rectangle, joined to larger rectangles.
@@ -207,9 +207,7 @@ public:
         const auto add = [&](const std::array<ObjCorner, 4>& corners) {
             Piece added = piece;
             added.corners = corners;
-            const Vec3 origin = mesh_.at(corners[0]);
-            if (0.5 * length(cross(mesh_.at(corners[1]) - origin, mesh_.at(added.end_of_v()) - origin)) >
-                scale_.smallest_area())
+            if (!scale_.is_degenerate(mesh_.at(corners[0]), mesh_.at(corners[1]), mesh_.at(added.end_of_v())))
                 result.push_back(added);
         };
         for (TexturePolygon part : replacement.parts) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <unordered_map>
 
 namespace multipath {
 
@@ -33,20 +34,20 @@ std::size_t rank_as_lamp(const std::string& name)
 struct LampCandidate
 {
     std::string name;
-    double area = 0.0; ///< [m^2]
+    double area; ///< [m^2]
 };
 
 /// Those of the names that belong to surfaces; `numbers` holds the index of each surface's name.
 std::vector<LampCandidate> candidates(const std::vector<std::string>& names, const std::vector<std::uint32_t>& numbers,
                                       const SurfaceList& surfaces)
 {
+    std::unordered_map<std::string, double> areas; // [m^2] by name
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+        areas[names[numbers[s]]] += surfaces[s].area();
     std::vector<LampCandidate> result;
     for (const std::string& name : names)
-        result.push_back({name});
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-        result[numbers[s]].area += surfaces[s].area();
-    const auto is_unused = [](const LampCandidate& candidate) { return candidate.area == 0.0; };
-    result.erase(std::remove_if(result.begin(), result.end(), is_unused), result.end());
+        if (const auto found = areas.find(name); found != areas.end())
+            result.push_back({name, found->second});
     return result;
 }
 
@@ -55,7 +56,7 @@ std::vector<LampCandidate> candidates(const std::vector<std::string>& names, con
 LightAdvice advised_light(const ObjMesh& mesh, const SceneFile& scene)
 {
     const auto materials = candidates(mesh.material_names(), scene.material, scene.surfaces);
-    std::vector<LampCandidate> all = candidates(mesh.groups, scene.group, scene.surfaces);
+    std::vector<LampCandidate> all = candidates(scene.groups, scene.group, scene.surfaces);
     all.insert(all.begin(), materials.begin(), materials.end());
     LampCandidate lamp = *std::min_element(all.begin(), all.end(), [](const LampCandidate& a, const LampCandidate& b) {
         return rank_as_lamp(a.name) < rank_as_lamp(b.name);

@@ -20,25 +20,17 @@ namespace multipath {
 
 namespace {
 
-struct Point2
-{
-    double x = 0.0;
-    double y = 0.0;
-};
-
-bool operator==(Point2 a, Point2 b)
-{
-    return a.x == b.x && a.y == b.y;
-}
+/// A corner in the plane of projection; z is 0.
+using FlatPoint = Vec3;
 
 /// Twice the area of the triangle, positive if it is counter-clockwise.
-double turn(Point2 a, Point2 b, Point2 c)
+double turn(FlatPoint a, FlatPoint b, FlatPoint c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /// Drops the coordinate of the largest component of the normal; front faces stay counter-clockwise.
-std::vector<Point2> project(const std::vector<Vec3>& corners, Vec3 normal)
+std::vector<FlatPoint> project(const std::vector<Vec3>& corners, Vec3 normal)
 {
     const double x = std::abs(normal.x);
     const double y = std::abs(normal.y);
@@ -47,11 +39,10 @@ std::vector<Point2> project(const std::vector<Vec3>& corners, Vec3 normal)
     const bool along_y = !along_x && y >= z;
     const bool turned_away = (along_x ? normal.x : along_y ? normal.y : normal.z) < 0.0;
 
-    std::vector<Point2> points;
-    points.reserve(corners.size());
+    std::vector<FlatPoint> points;
     for (const Vec3 p : corners) {
-        const Point2 q = along_x ? Point2{p.y, p.z} : along_y ? Point2{p.z, p.x} : Point2{p.x, p.y};
-        points.push_back(turned_away ? Point2{q.y, q.x} : q);
+        const FlatPoint q = along_x ? FlatPoint{p.y, p.z} : along_y ? FlatPoint{p.z, p.x} : FlatPoint{p.x, p.y};
+        points.push_back(turned_away ? FlatPoint{q.y, q.x} : q);
     }
     return points;
 }
@@ -59,12 +50,12 @@ std::vector<Point2> project(const std::vector<Vec3>& corners, Vec3 normal)
 class EarClipper
 {
 public:
-    EarClipper(std::vector<Point2> points, double smallest_turn)
+    EarClipper(std::vector<FlatPoint> points, double smallest_turn)
         : points_(std::move(points)),
           smallest_turn_(smallest_turn),
           next_(points_.size()),
           previous_(points_.size()),
-          state_(points_.size(), State::untested)
+          is_no_ear_(points_.size())
     {
         const std::uint32_t count = static_cast<std::uint32_t>(points_.size());
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -92,7 +83,7 @@ public:
                 i = next_[i];
             } else if (touching_counts_) {
                 touching_counts_ = false;
-                std::fill(state_.begin(), state_.end(), State::untested);
+                std::fill(is_no_ear_.begin(), is_no_ear_.end(), false);
                 tested = 0;
             } else {
                 fan_rest(i);
@@ -103,27 +94,25 @@ public:
     }
 
 private:
-    enum class State : char { untested, ear, no_ear };
-
     double turn_at(std::uint32_t i) const { return turn(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
     bool is_ear(std::uint32_t i)
     {
-        if (state_[i] == State::untested) {
-            const double size = turn_at(i);
-            const bool straight = std::abs(size) <= smallest_turn_;
-            state_[i] = straight || (size > 0.0 && !contains_reflex_corner(i)) ? State::ear : State::no_ear;
-        }
-        return state_[i] == State::ear;
+        if (is_no_ear_[i])
+            return false;
+        const double size = turn_at(i);
+        const bool straight = std::abs(size) <= smallest_turn_;
+        is_no_ear_[i] = !straight && (size <= 0.0 || contains_reflex_corner(i));
+        return !is_no_ear_[i];
     }
 
     bool contains_reflex_corner(std::uint32_t i) const
     {
-        const Point2 a = points_[previous_[i]];
-        const Point2 b = points_[i];
-        const Point2 c = points_[next_[i]];
+        const FlatPoint a = points_[previous_[i]];
+        const FlatPoint b = points_[i];
+        const FlatPoint c = points_[next_[i]];
         return std::any_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t r) {
-            const Point2 p = points_[r];
+            const FlatPoint p = points_[r];
             const double least = std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)});
             // Corners at the same point are the ends of a bridge that joins a hole to the outline.
             return (touching_counts_ ? least >= 0.0 : least > smallest_turn_) && !(p == a || p == b || p == c);
@@ -138,7 +127,7 @@ private:
             result_.triangles.push_back({before, i, after});
         next_[before] = after;
         previous_[after] = before;
-        state_[before] = state_[after] = State::untested;
+        is_no_ear_[before] = is_no_ear_[after] = false;
         const auto is_reflex_no_more = [&](std::uint32_t r) {
             return r == i || ((r == before || r == after) && turn_at(r) >= -smallest_turn_);
         };
@@ -154,10 +143,10 @@ private:
                 result_.triangles.push_back({first, i, next_[i]});
     }
 
-    std::vector<Point2> points_;
+    std::vector<FlatPoint> points_;
     double smallest_turn_;
     std::vector<std::uint32_t> next_, previous_; ///< circular list of the remaining corners
-    std::vector<State> state_;
+    std::vector<char> is_no_ear_;                ///< known since its neighbours changed last
     std::vector<std::uint32_t> reflex_;
     bool touching_counts_ = true; ///< a corner on the border of a triangle counts as inside
     Triangulation result_;
@@ -214,11 +203,6 @@ constexpr double largest_clipping_work = 1e8;
 
 constexpr std::string_view crosses_itself =
     "polygon crosses itself and its triangles overlap, mend it in the modelling program";
-
-double area_of(Vec3 a, Vec3 b, Vec3 c)
-{
-    return 0.5 * length(cross(b - a, c - a));
-}
 
 double diameter_of(const std::vector<Vec3>& points)
 {
@@ -332,7 +316,7 @@ private:
 
     bool is_straight(ObjCorner a, ObjCorner b, ObjCorner c) const
     {
-        return area_of(mesh_.at(a), mesh_.at(b), mesh_.at(c)) <= scale_.smallest_area();
+        return scale_.is_degenerate(mesh_.at(a), mesh_.at(b), mesh_.at(c));
     }
 
     void add_triangle(std::uint32_t face, ObjCorner a, ObjCorner b, ObjCorner c)

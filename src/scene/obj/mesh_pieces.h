@@ -43,6 +43,7 @@ struct SceneScale
     /// Triangles up to this area [square scene units] count as degenerate: the square of 1e-7 extents, the resolution
     /// of single precision.
     double smallest_area() const { return 1e-14 * extent * extent; }
+    bool is_degenerate(Vec3 a, Vec3 b, Vec3 c) const { return 0.5 * length(cross(b - a, c - a)) <= smallest_area(); }
     /// Surfaces may miss the corners of the file by this distance [scene units]. A wider gap would show as a crack.
     double widest_crack() const { return 2e-6 * extent; }
 };

@@ -186,7 +186,8 @@ private:
         MtlMaterial& current = current_material(keyword, place);
         const Rgb emittance = value(keyword, rest, place, largest_emittance, current.emission_line);
         current.material.emittance = by_channel([](double e) { return e < smallest_emittance ? 0.0 : e; }, emittance);
-        if (current.material.emittance != emittance)
+        current.emission_too_small = current.material.emittance != emittance;
+        if (current.emission_too_small)
             library_.warnings.push_back(name_of(place) + ": " + subject(keyword) +
                                         " is below 1e-30, which counts as 0");
     }

@@ -38,6 +38,7 @@ struct MtlMaterial
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
     TextureMap opacity_map;          ///< `map_d`
+    bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
     bool is_unknown = false;         ///< stands in for a material that no file defines
 };
 

@@ -16,44 +16,36 @@ struct NamedFaces
 {
     std::vector<bool> materials; ///< per material of the mesh
     std::vector<bool> groups;
-    std::vector<bool> other_names;
 
-    bool has_object(const ObjFace& face) const { return groups[face.group] || other_names[face.other_name]; }
-    bool has(const ObjFace& face) const { return materials[face.material] || has_object(face); }
+    bool has(const ObjFace& face) const { return materials[face.material] || groups[face.group]; }
 };
 
 /// Throws SettingsError if no face has a material, group or object of this name.
 NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
 {
-    const auto are_named = [&](const std::vector<std::string>& names) {
-        std::vector<bool> result;
-        for (const std::string& other : names)
-            result.push_back(other == name);
-        return result;
-    };
-    NamedFaces found = {are_named(mesh.material_names()), std::vector<bool>(mesh.groups.size()),
-                        std::vector<bool>(mesh.other_names.size())};
+    NamedFaces found = {{}, std::vector<bool>(mesh.groups.size())};
+    std::vector<std::string> names = mesh.material_names();
+    for (const std::string& material : names)
+        found.materials.push_back(material == name);
     const auto any_face = [&] {
         return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); });
     };
     if (any_face())
         return found;
-    if (!name.empty()) {
-        found.groups = are_named(mesh.groups);
-        found.other_names = are_named(mesh.other_names);
-    }
+    for (std::size_t k = 0; k < mesh.groups.size() && !name.empty(); ++k)
+        found.groups[k] = mesh.groups[k].name == name || mesh.groups[k].other == name;
     if (any_face())
         return found;
     if (const std::string plain(name_in(name)); plain != name)
         return faces_named(plain, mesh);
-    std::vector<std::string> names;
-    for (const std::vector<std::string>& list : {mesh.material_names(), mesh.other_names, mesh.groups})
-        for (const std::string& other : list)
-            if (const std::string quoted = "`" + other + "`";
-                !other.empty() && std::find(names.begin(), names.end(), quoted) == names.end())
-                names.push_back(quoted);
+    for (const ObjGroup& group : mesh.groups)
+        names.insert(names.end(), {group.name, group.other});
+    std::vector<std::string> choices; // each once
+    for (const std::string& other : names)
+        if (!other.empty() && std::find(choices.begin(), choices.end(), "`" + other + "`") == choices.end())
+            choices.push_back("`" + other + "`");
     throw SettingsError(mesh.path + ": no material or object is called `" + name + "` and has faces, expected one of " +
-                        first_of(names, 12));
+                        first_of(choices, 12));
 }
 
 void leave_out(const std::string& name, ObjMesh& mesh)
@@ -73,7 +65,7 @@ void add_lamp(const ObjChanges::Lamp& lamp, ObjMesh& mesh, std::vector<LampMater
             lamps.push_back({k, lamp.emittance, ""});
     std::map<std::uint32_t, std::uint32_t> own; // copy of each material of the object
     for (ObjFace& face : mesh.faces) {
-        if (!lit.has_object(face))
+        if (!lit.groups[face.group])
             continue;
         const auto [entry, is_new] = own.try_emplace(face.material, static_cast<std::uint32_t>(mesh.materials.size()));
         if (is_new) {

@@ -17,6 +17,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <tuple>
@@ -248,17 +249,16 @@ private:
     /// Looks up the numbers of the current material, group and object, which a face is about to use.
     void number_names(std::uint32_t line)
     {
-        const auto number = [](auto& numbers, const std::string& name, auto& list, const auto& entry) {
+        const auto number = [](auto& numbers, const auto& name, auto& list, const auto& entry) {
             const auto [known, is_new] = numbers.emplace(name, static_cast<std::uint32_t>(list.size()));
             if (is_new)
                 list.push_back(entry);
             return known->second;
         };
         const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
-        const std::string other_name = other == last ? "" : other;
+        const ObjGroup group = {last, other == last ? "" : other};
         next_face_.material = number(material_numbers_, material_, mesh_.materials, ObjName{material_, line});
-        next_face_.group = number(group_numbers_, last, mesh_.groups, last);
-        next_face_.other_name = number(other_numbers_, other_name, mesh_.other_names, other_name);
+        next_face_.group = number(group_numbers_, std::pair(group.name, group.other), mesh_.groups, group);
         names_changed_ = false;
         group_is_used_ = true;
     }
@@ -310,12 +310,12 @@ private:
     /// Drops the comments after the names of groups and objects.
     void drop_comments()
     {
-        std::vector<std::string> names = mesh_.groups;
-        names.insert(names.end(), mesh_.other_names.begin(), mesh_.other_names.end());
+        std::vector<std::string> names;
+        for (const ObjGroup& group : mesh_.groups)
+            names.insert(names.end(), {group.name, group.other});
         names = without_comments(std::move(names));
-        const auto end_of_groups = names.begin() + static_cast<std::ptrdiff_t>(mesh_.groups.size());
-        mesh_.groups.assign(names.begin(), end_of_groups);
-        mesh_.other_names.assign(end_of_groups, names.end());
+        for (std::size_t k = 0; k < mesh_.groups.size(); ++k)
+            mesh_.groups[k] = {names[2 * k], names[2 * k + 1]};
     }
 
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
@@ -330,8 +330,7 @@ private:
     bool names_changed_ = true;
     ObjFace next_face_; ///< with the numbers of the current names
     std::unordered_map<std::string, std::uint32_t> material_numbers_;
-    std::unordered_map<std::string, std::uint32_t> group_numbers_;
-    std::unordered_map<std::string, std::uint32_t> other_numbers_ = {{"", 0}};
+    std::map<std::pair<std::string, std::string>, std::uint32_t> group_numbers_;
     Flaws flaws_;
 };
 

@@ -29,7 +29,6 @@ struct ObjFace
     std::uint32_t line = 0;         ///< line of the face in the file
     std::uint32_t material = 0;     ///< index into ObjMesh::materials
     std::uint32_t group = 0;        ///< index into ObjMesh::groups
-    std::uint32_t other_name = 0;   ///< index into ObjMesh::other_names
 };
 
 /// A name of a material and the line of the first face that uses it, or the argument of a `mtllib` statement and its
@@ -38,6 +37,13 @@ struct ObjName
 {
     std::string name;
     std::uint32_t line = 0;
+};
+
+/// The names in `o` and `g` that apply to a face.
+struct ObjGroup
+{
+    std::string name;  ///< the last one; "" before the first
+    std::string other; ///< the object that a `g` divides, or the group directly before an `o`; or ""
 };
 
 /// The contents of an OBJ file, before its polygons are cut and its materials are looked up.
@@ -54,11 +60,7 @@ struct ObjMesh
     /// Arguments of `usemtl` that apply to a face, dropped or not, in order of appearance; "" before the first. A
     /// comment at their end is left until the names of the MTL files are known.
     std::vector<ObjName> materials;
-    /// Names in `o` and `g` that apply to a face, dropped or not, in order of appearance; "" before the first. Each
-    /// face has the last one.
-    std::vector<std::string> groups;
-    /// The names of objects that a `g` divides, and of groups directly before an `o`; the first is "".
-    std::vector<std::string> other_names = {""};
+    std::vector<ObjGroup> groups;   ///< those of faces, dropped or not, in order of appearance
     std::vector<ObjName> libraries; ///< different arguments of `mtllib`, not yet split into file names
     std::vector<std::string> warnings;
     /// Per material: true if the file of its `map_Kd` was found; empty before MTL files are read.

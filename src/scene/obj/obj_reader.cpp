@@ -18,7 +18,6 @@
 #include "scene/text/text_words.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -53,7 +52,6 @@ std::string some_names(Names names)
 /// Reads the MTL files that a mesh names, each once. Returns the names of missing ones.
 Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLibrary& library, SceneFile& scene)
 {
-    const std::string folder = std::filesystem::path(mesh.path).parent_path().string();
     Names missing;
     for (const ObjName& names : mesh.libraries) {
         const TextLocation place = {mesh.path, names.line};
@@ -66,8 +64,7 @@ Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLi
         for (const std::string& name : named.missing)
             if (!contains(missing, name)) {
                 missing.push_back(name);
-                scene.warnings.push_back(name_of(place) + ": material file " + in_quotes(name) +
-                                         " not found in the folder " + in_quotes(folder.empty() ? "." : folder));
+                scene.warnings.push_back(name_of(place) + ": material file " + in_quotes(name) + " not found");
             }
     }
     for (const std::string& file : scene.material_files)
@@ -118,12 +115,12 @@ void limit_reflectances(double limit, MaterialLibrary& library, SceneFile& scene
 {
     Names lowered;
     for (MtlMaterial& definition : library.materials) {
-        Rgb& reflectance = definition.material.reflectance;
-        const Rgb rho = reflectance;
-        reflectance = {std::min(rho.r, limit), std::min(rho.g, limit), std::min(rho.b, limit)};
-        if (limit < 1.0)
-            definition.flaw.clear();
-        if (limit < 1.0 && reflectance != rho)
+        const Rgb rho = definition.material.reflectance;
+        definition.material.reflectance = by_channel([&](double r) { return std::min(r, limit); }, rho);
+        if (limit == 1.0)
+            continue;
+        definition.flaw.clear();
+        if (definition.material.reflectance != rho)
             lowered.push_back(definition.material.name);
     }
     if (!lowered.empty())
@@ -206,10 +203,10 @@ void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& m
     }
 }
 
-/// Why a scene has no light. `unused`: the materials that no surface has.
+/// Why a scene has no light. `used` and `unused`: the materials that surfaces have, and those that none has.
 std::string explain_darkness(const std::string& keyword, const ObjMesh& mesh, const Names& missing_files,
-                             const Names& unread_textures, const std::vector<MtlMaterial>& unused,
-                             const SceneFile& scene)
+                             const Names& unread_textures, const std::vector<MtlMaterial>& used,
+                             const std::vector<MtlMaterial>& unused, const SceneFile& scene)
 {
     std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
     if (mesh.libraries.empty())
@@ -220,6 +217,8 @@ std::string explain_darkness(const std::string& keyword, const ObjMesh& mesh, co
     };
     list("; no such material file: ", missing_files);
     list("; used but not defined: ", scene.unknown_materials);
+    list("; below 1e-30, which counts as 0: ",
+         names_where(used, [](const MtlMaterial& m) { return m.emission_too_small; }));
     list("; emitting but used by no face: ",
          names_where(unused, [](const MtlMaterial& m) { return m.material.emittance != Rgb{}; }));
     if (!unread_textures.empty())
@@ -269,8 +268,10 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     scene.material.reserve(pieces.size());
     scene.group.reserve(pieces.size());
     scene.line.reserve(pieces.size());
-    if (mesh.other_names.size() > 1)
-        scene.other_names = mesh.other_names;
+    for (const ObjGroup& group : mesh.groups) {
+        scene.groups.push_back(group.name);
+        scene.other_names.push_back(group.other);
+    }
     for (const Piece& piece : pieces) {
         const ObjFace& face = mesh.faces[piece.face];
         const Vec3 origin = mesh.at(piece.corners[0]);
@@ -279,8 +280,6 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
         scene.material.push_back(face.material);
         scene.group.push_back(face.group);
         scene.line.push_back(face.line);
-        if (!scene.other_names.empty())
-            scene.other_name.push_back(face.other_name);
     }
 }
 
@@ -340,7 +339,6 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     if (cut.pieces.empty())
         refuse({path, 0}, "every face is transparent, expected textures with opaque pixels");
 
-    scene.groups = mesh.groups;
     add_surfaces(cut.pieces, mesh, scene);
     const Names unread = add_textures(definitions, cut, mesh, textures, changes.reflectance_limit, scene);
     const std::vector<MtlMaterial> used = take_used(definitions, has_pieces, library, scene);
@@ -350,7 +348,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
                                  [&](std::uint32_t m) { return scene.materials[m].emittance != Rgb{}; });
     std::optional<std::string> darkness;
     if (!lit && !changes.lit_from_outside)
-        darkness = explain_darkness(emission_from == EmissionFrom::ka ? "Ka" : "Ke", mesh, missing_files, unread,
+        darkness = explain_darkness(emission_from == EmissionFrom::ka ? "Ka" : "Ke", mesh, missing_files, unread, used,
                                     library.materials, scene);
     require_physics(used, darkness, mesh, scene);
     scene.counts = summary(scene, mesh, merged_pairs);

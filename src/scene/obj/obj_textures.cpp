@@ -146,7 +146,7 @@ private:
     {
         Material& material = scene_.materials[m];
         const Rgb kd = beside_map(material.reflectance, "Kd of " + in_quotes(material.name), definitions_[m].kd_line);
-        material.texture_scale = {std::min(kd.r, limit), std::min(kd.g, limit), std::min(kd.b, limit)};
+        material.texture_scale = by_channel([&](double r) { return std::min(r, limit); }, kd);
         material.reflectance = material.texture_scale * mean_of(m, definitions_[m].reflectance_map, *texture);
         material.texture = index_of(texture);
     }
@@ -199,14 +199,12 @@ private:
         std::vector<Rgb> sums(count); // of area times colour
         std::vector<std::optional<std::uint32_t>> last(count);
         std::vector<bool> has_several(count);
-        std::size_t coloured = 0;
         for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
             const std::uint32_t m = scene_.material[s];
             const std::uint32_t colour = cut_.pieces[s].colour;
             sums[m] += scene_.surfaces[s].area() * palette_->mean(TexturePolygon{frame_of_colour(s).origin});
             has_several[m] = has_several[m] || last[m].value_or(colour) != colour;
             last[m] = colour;
-            coloured += colour != Piece::no_colour ? 1 : 0;
         }
         for (std::size_t m = 0; m < count; ++m) {
             Material& material = scene_.materials[m];
@@ -220,8 +218,8 @@ private:
                 material.texture_scale = kd;
             }
         }
-        scene_.warnings.push_back(scene_.path + ": the colours of vertices, decoded from sRGB, multiply Kd; " +
-                                  counted(coloured, "surface") + " with the mean of the corners");
+        scene_.warnings.push_back(scene_.path + ": the colours of vertices, decoded from sRGB, multiply Kd; a surface "
+                                                "has the mean of its corners");
     }
 
     void apply_emission_map(std::uint32_t m, const Texture& texture)

@@ -81,15 +81,6 @@ double value_of(std::string_view word)
     return std::isfinite(value) ? value : no_number;
 }
 
-/// Why a word is not a finite decimal number.
-std::string problem_with(std::string_view word)
-{
-    if (word.empty())
-        return "a number is missing";
-    const bool has_comma = word.find(',') != std::string_view::npos;
-    return in_quotes(word) + " is not a finite number" + (has_comma ? ", expected a decimal point" : "");
-}
-
 } // namespace
 
 std::string_view trimmed(std::string_view text)
@@ -159,8 +150,11 @@ std::optional<double> to_number(std::string_view word)
 double read_number(std::string_view word, const TextLocation& place, std::string_view owner)
 {
     const double value = value_of(word);
+    if (word.empty())
+        refuse(place, std::string(owner) + ": a number is missing");
     if (std::isnan(value))
-        refuse(place, std::string(owner) + ": " + problem_with(word));
+        refuse(place, std::string(owner) + ": " + in_quotes(word) + " is not a finite number" +
+                          (word.find(',') != std::string_view::npos ? ", expected a decimal point" : ""));
     return value;
 }
 

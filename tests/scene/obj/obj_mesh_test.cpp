@@ -84,7 +84,8 @@ TEST_CASE("a face has the names of its object and its group, whichever came last
         parse(triangle + "o a # first\ng b\nf 1 2 3\ng c # 1\nf 1 2 3\no d\nf 1 2 3\ng c # 2\no e\nf 1 2 3\n" +
               "o f\ng f\nf 1 2 3\n");
     const auto names = [&](std::size_t face) {
-        return mesh.groups[mesh.faces[face].group] + " of " + mesh.other_names[mesh.faces[face].other_name];
+        const ObjGroup& group = mesh.groups[mesh.faces[face].group];
+        return group.name + " of " + group.other;
     };
     CHECK(names(0) == "b of a");
     CHECK(names(1) == "c # 1 of a");

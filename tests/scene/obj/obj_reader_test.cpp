@@ -129,6 +129,7 @@ TEST_CASE("a scene without light says why")
     const std::string faces = "mtllib room.mtl\n" + square + "usemtl paint\nf 1 2 3 4\n";
     CHECK(contains(SceneText{square + "f 1 2 3\n", ""}.problem(), "no material file is named"));
     CHECK(contains(SceneText{faces + "usemtl light\nf 1 2 3\n", paint}.problem(), "used but not defined: `light`"));
+    CHECK(contains(SceneText{faces, paint + "Ke 1e-323\n"}.problem(), "below 1e-30, which counts as 0: `paint`"));
     CHECK(contains(SceneText{faces, paint + "newmtl sun\nKe 9\n"}.problem(), "emitting but used by no face: `sun`"));
     std::string suns;
     for (int i = 1; i <= 7; ++i)
@@ -275,7 +276,7 @@ TEST_CASE("a missing material file is told, and grey stands in for its materials
     CHECK(contains(SceneText{"mtllib none.mtl\n" + faces, ""}.problem(), "no such material file: `none.mtl`"));
     const SceneText lit{"mtllib none.mtl room.mtl\n" + faces + "usemtl lamp\nf 1 2 3\n", "newmtl lamp\nKe 1\nKd 0\n"};
     const SceneFile scene = lit.read();
-    CHECK(any_contains(scene.warnings, "room.obj:1: material file `none.mtl` not found in the folder `"));
+    CHECK(any_contains(scene.warnings, "room.obj:1: material file `none.mtl` not found"));
     CHECK(scene.unknown_materials == std::vector<std::string>{"paint"});
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("colours of vertices multiply Kd where a material has no texture")
         return std::vector<Rgb>{scene.reflectance(0), scene.reflectance(1)};
     };
     const SceneFile file = files.read(corners + faces, "newmtl m\nKe 1\nKd 0.5\n");
-    CHECK(any_contains(file.warnings, "the colours of vertices, decoded from sRGB, multiply Kd; 2 surfaces"));
+    CHECK(any_contains(file.warnings, "the colours of vertices, decoded from sRGB, multiply Kd; a surface"));
     const std::vector<Rgb> both = reflectances(file);
     CHECK(both[0] == Rgb{0.5, 0, 0});
     // Half a step of sRGB at linear light 0.5 is 0.0025.
