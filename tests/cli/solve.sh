@@ -183,7 +183,7 @@ check "a file without lamps is lit by the option that its error names, and faces
 daylight() {
     printf 'v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nv 1 0 1\nv 2 0 1\nv 2 0 2\nv 1 0 2\nv 1 1 1\nv 2 1 1\nv 2 1 2\nv 1 1 2\n' >open.obj
     printf 'f 1 4 3 2\nf 9 12 11 10\nf 5 9 10 6\nf 6 10 11 7\nf 7 11 12 8\nf 8 12 9 5\nf 5 6 7 8\n' >>open.obj
-    ends 1 solve open.obj $quick && says err "to light it by sky and sun: --sky 10 --sun 150,40,20" &&
+    ends 1 solve open.obj $quick && says err "no emitter" && says err ": --lamp default=10" &&
         ends 0 solve open.obj $quick --sky 10 --sun 150,40,20 -o day.csv -o day.png -o day.glb --state day.state --json -o day.obj || return
     [ "$(grep -c ',sky,' day.csv)" = 6 ] && ! grep ',sky,' day.csv | cut -d, -f10 | grep -qv '^0$' && ! grep -q '"name": *"sky' day.glb && ! grep -q 'usemtl sky' day.obj &&
         [ "$(sed -n 's/.*"area_m2": //p' out)" = "22," ] && ends 0 compare day.csv day.state && says out "relative 0, its root 0" &&

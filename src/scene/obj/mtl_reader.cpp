@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 
@@ -303,10 +304,14 @@ private:
         const auto [entry, is_new] = textures_.try_emplace(name);
         if (is_new) {
             entry->second = find_texture(path_, name).value_or("");
+            const fs::path folder = fs::path(path_).parent_path();
             std::string path = name;
             std::replace(path.begin(), path.end(), '\\', '/');
-            library_.texture_files.push_back(entry->second.empty() ? (fs::path(path_).parent_path() / path).string()
-                                                                   : entry->second);
+            for (const std::string& spelling : std::set<std::string>{path, url_decoded(path)})
+                for (const fs::path& place : {folder / spelling, folder / fs::path(spelling).filename()})
+                    library_.texture_files.push_back(place.string());
+            if (!entry->second.empty())
+                library_.texture_files.push_back(entry->second);
         }
         return entry->second;
     }
