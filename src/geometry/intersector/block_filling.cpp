@@ -35,8 +35,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -158,16 +159,14 @@ std::array<Slab, 3> slabs_of(const SurfaceRow& row, const FilterFrame& frame)
             between_edges(2)};
 }
 
-/// A rectangle that fits into a frame.
+/// A rectangle in terms of the axes of a frame.
 struct FittedRectangle
 {
-    std::size_t frame;
     std::size_t axis; ///< of its normal
     FrameRectangle rectangle;
-    std::uint32_t surface;
 };
 
-/// The parallelogram in terms of the axes, if normal and edges are parallel to them; `frame` and `surface` are left 0.
+/// The parallelogram in terms of the axes, if normal and edges are parallel to them.
 std::optional<FittedRectangle> fit_to(const Axes& axes, const std::array<Slab, 3>& slabs)
 {
     std::array<std::optional<Slab>, 3> across; // the slab of each axis
@@ -184,12 +183,17 @@ std::optional<FittedRectangle> fit_to(const Axes& axes, const std::array<Slab, 3
         return std::nullopt;
     const Slab& u = *across[(axis + 1) % 3];
     const Slab& v = *across[(axis + 2) % 3];
-    return FittedRectangle{0,
-                           axis,
+    return FittedRectangle{axis,
                            {static_cast<float>(across[axis]->centre), static_cast<float>(u.centre),
-                            static_cast<float>(v.centre), static_cast<float>(u.half), static_cast<float>(v.half)},
-                           0};
+                            static_cast<float>(v.centre), static_cast<float>(u.half), static_cast<float>(v.half)}};
 }
+
+/// The rectangles of one frame, by the axis of their normal, each with the index of its surface.
+struct FrameGroup
+{
+    Axes axes;
+    std::array<std::vector<std::pair<FrameRectangle, std::uint32_t>>, 3> across;
+};
 
 RectangleFrame frame_with(const Axes& axes)
 {
@@ -208,8 +212,7 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
                                  const FilterFrame& filter_frame)
 {
     FramedRectangles result;
-    std::vector<Axes> frames;
-    std::vector<FittedRectangle> fitted_rectangles;
+    std::vector<FrameGroup> groups;
     for (const std::uint32_t surface : surfaces) {
         if (table.is_triangle(surface)) {
             result.others.push_back(surface);
@@ -217,9 +220,9 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
         }
         const std::array<Slab, 3> slabs = slabs_of(table.row(surface), filter_frame);
         std::optional<FittedRectangle> fitted;
-        std::size_t frame = 0;
-        for (; frame < frames.size() && !fitted; ++frame)
-            fitted = fit_to(frames[frame], slabs);
+        std::size_t g = 0;
+        while (g < groups.size() && !(fitted = fit_to(groups[g].axes, slabs)))
+            ++g;
         if (!fitted) {
             const Vec3 third = cross(slabs[0].along, slabs[1].along); // along the second edge only of a rectangle
             const Axes own = {slabs[0].along, slabs[1].along, third};
@@ -228,22 +231,19 @@ FramedRectangles group_by_frames(const SurfaceTable& table, const std::vector<st
                 result.others.push_back(surface);
                 continue;
             }
-            frames.push_back(own);
-            frame = frames.size();
+            groups.push_back({own, {}});
         }
-        fitted_rectangles.push_back({frame - 1, fitted->axis, fitted->rectangle, surface});
+        groups[g].across[fitted->axis].push_back({fitted->rectangle, surface});
     }
-    std::stable_sort(fitted_rectangles.begin(), fitted_rectangles.end(),
-                     [](const FittedRectangle& a, const FittedRectangle& b) {
-                         return a.frame != b.frame ? a.frame < b.frame : a.axis < b.axis;
-                     });
-    for (const Axes& axes : frames)
-        result.frames.push_back(frame_with(axes));
-    for (const FittedRectangle& entry : fitted_rectangles) {
-        result.rectangles.push_back(entry.rectangle);
-        result.surfaces.push_back(entry.surface);
-        for (std::size_t k = entry.axis; k < 3; ++k)
-            result.frames[entry.frame].end[k] = static_cast<std::uint32_t>(result.rectangles.size());
+    for (const FrameGroup& group : groups) {
+        result.frames.push_back(frame_with(group.axes));
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (const auto& [rectangle, surface] : group.across[k]) {
+                result.rectangles.push_back(rectangle);
+                result.surfaces.push_back(surface);
+            }
+            result.frames.back().end[k] = static_cast<std::uint32_t>(result.rectangles.size());
+        }
     }
     return result;
 }
