@@ -147,7 +147,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("area_m2", s.scene.own_area());
     json.number("average_reflectance", mean_reflectance(s.scene));
     json.number("source_power_w", mean(source));
-    json.numbers("source_power_rgb_w", {source.r, source.g, source.b});
+    json.numbers("source_power_rgb_w", source);
     json.text("unit", light_units(s.scene.file()).per_area);
     json.text("method", std::string(s.options.method->name));
     json.text("sequence", s.sequence);
@@ -159,7 +159,7 @@ JsonObject summary_json(const SolveSummary& s)
     json.count("global_lines", s.solution.global_lines);
     json.count("global_lines_cast", s.solution.global_lines_cast);
     json.number("mean_radiosity", mean(b));
-    json.numbers("mean_radiosity_rgb", {b.r, b.g, b.b});
+    json.numbers("mean_radiosity_rgb", b);
     json.number("emitted_power_w", mean(balance.emitted));
     json.number("emitted_power_error_w", balance.emitted_error);
     json.number("absorbed_power_w", mean(balance.absorbed));
