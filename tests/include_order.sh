@@ -15,7 +15,7 @@ complaints=$(find "$src" -type f \( -name '*.h' -o -name '*.h??' -o -name '*.cpp
         below["radiosity"] = below["transport"] "transport "
         below["check"] = below["radiosity"] "radiosity "
         below["selftest"] = below["explain"] = below["radiosity"] "export radiosity "
-        below["viewer"] = below["explain"] "image explain "
+        below["viewer"] = below["image"] "image export explain "
         below["refinement"] = below["radiosity"] "image radiosity "
         below["study"] = below["radiosity"] "image export radiosity check "
         below["cli"] = " geometry scene parallel base "

@@ -59,7 +59,7 @@ int run_explain(const CommandLine& line)
     require_no_input(outputs, input_files(scene.file()));
     for (const std::string& warning : scene.file().warnings)
         print_note(warning + "\n");
-    const TracedRun run{scene, options, line.text("method"), sequence};
+    const TracedRun run{scene, options, "--method " + line.text("method") + ", sequence " + sequence};
     const StageTrace trace = stage.tracer->trace(scene, options, range);
     for (PlannedOutput& output : outputs)
         output.file.write(draw_lines(run, trace, up, provenance(line, scene)));

@@ -262,11 +262,9 @@ std::string draw_lines(const TracedRun& run, const StageTrace& trace, Vec3 up, c
     const Around around = !trace.from_outside                     ? Around::nothing
                           : chords_of(run.options) == Chords::box ? Around::box
                                                                   : Around::sphere;
-    std::string text =
-        svg_head(drawing_width, drawing_height, trace.title, comments) +
-        svg_text(page_margin, 32.0, trace.title, SvgAnchor::start, 19.0) +
-        svg_text(page_margin, 52.0, run.scene.path() + ", --method " + run.method + ", sequence " + run.sequence,
-                 SvgAnchor::start, 12.0);
+    std::string text = svg_head(drawing_width, drawing_height, trace.title, comments) +
+                       svg_text(page_margin, 32.0, trace.title, SvgAnchor::start, 19.0) +
+                       svg_text(page_margin, 52.0, run.scene.path() + ", " + run.settings, SvgAnchor::start, 12.0);
     for (const View& view : views(run.scene, trace, around, up))
         text += picture(run.scene, trace, around, view);
     return text + legend(trace, around) + svg_end();

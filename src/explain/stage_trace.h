@@ -33,8 +33,7 @@ struct TracedRun
 {
     const Scene& scene;
     const SolveOptions& options;
-    std::string method;   ///< name for --method
-    std::string sequence; ///< full name of the sequence
+    std::string settings; ///< how readers may call it: method and sequence
 };
 
 /// The traces of some lines of one stage of a run, and what readers must know about the stage. The text of `explain`,

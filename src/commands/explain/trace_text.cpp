@@ -59,11 +59,10 @@ std::string wrapped(const std::string& text, std::size_t first, std::size_t othe
 
 std::string trace_text(const TracedRun& run, const StageTrace& trace)
 {
-    std::string text =
-        wrapped(trace.title + " of a run with --method " + run.method + ", sequence " + run.sequence + ", " +
-                    grouped(run.options.lines) + " lines in total, " + grouped(run.scene.patch_count()) + " patches.",
-                0, 0) +
-        "\n";
+    std::string text = wrapped(trace.title + " of a run with " + run.settings + ", " + grouped(run.options.lines) +
+                                   " lines in total, " + grouped(run.scene.patch_count()) + " patches.",
+                               0, 0) +
+                       "\n";
     for (const std::string& paragraph : trace.context)
         text += wrapped(paragraph, 0, 0);
     for (const TracedLine& line : trace.lines) {

@@ -96,8 +96,8 @@ TEST_CASE("wrong usage is refused with one plain line")
         const char* message;
     };
     const std::vector<Wrong> cases = {
-        {{"room.obj", "--line", "5"}, "unknown option '--line'"},
-        {{"room.obj", "--line=5"}, "unknown option '--line=5'"},
+        {{"room.obj", "--line", "5"}, "unknown option '--line'; did you mean --lines?"},
+        {{"room.obj", "--line=5"}, "unknown option '--line'; did you mean --lines?"},
         {{"room.obj", "--zebra"}, "unknown option '--zebra'"},
         {{"room.obj", "-x"}, "unknown option '-x'"},
         {{"room.obj", "-qx"}, "--quiet takes no value, got 'x'"},
