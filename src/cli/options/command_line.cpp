@@ -1,9 +1,8 @@
 #include "cli/options/command_line.h"
 
-#include "cli/options/spelling.h"
-
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "cli/options/spelling.h"
 
 #include <algorithm>
 #include <cassert>
@@ -108,7 +107,7 @@ bool CommandLine::read_option(const std::string& argument, const std::string* ne
     if (option == nullptr) {
         const std::string typed = is_long ? name : argument;
         std::vector<std::string> known;
-        for (const Option& other : all_options(table_))
+        for (const Option& other : all_options(table_.groups))
             known.push_back(dashed(other));
         throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, known));
     }
