@@ -1,11 +1,11 @@
 # Runs the tests, shows what failed, and ends with the line "N passed, N failed". `long` are those that take long, the unit
 # tests of the suite `statistics` and some scripts; `quick` are all others.
-# LEAVE_OUT names scripts to leave out, and UNIT_ARGS are for the unit tests.
+# LEAVE_OUT names scripts to leave out, and UNIT_ARGS are for the unit tests; where UNIT_TESTS is none, only the scripts run.
 # usage: run.sh UNIT_TESTS PROGRAM BUILD [quick|long]
 case $#:$4 in 3: | 4:quick | 4:long) ;; *) echo "usage: run.sh UNIT_TESTS PROGRAM BUILD [quick|long]" >&2; exit 2 ;; esac
 absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
-unit_tests=$(absolute "$1")
+[ "$1" = none ] && unit_tests=none || unit_tests=$(absolute "$1")
 program=$(absolute "$2")
 scratch=$(absolute "$3")/test-run${4:+-$4}
 rm -rf "$scratch" && mkdir -p "$scratch" || exit 1
@@ -22,7 +22,8 @@ case $program:$OS in
         printf '#!/bin/sh\nWINEDEBUG=-all exec wine "%s" "$@"\n' "$file" >"$scratch/$(basename "$file")"
         chmod +x "$scratch/$(basename "$file")"
     done
-    program=$scratch/$(basename "$program") unit_tests=$scratch/$(basename "$unit_tests")
+    program=$scratch/$(basename "$program")
+    [ "$unit_tests" = none ] || unit_tests=$scratch/$(basename "$unit_tests")
     ;;
 esac
 case $program in *.exe) LEAVE_OUT="$LEAVE_OUT interrupt memory" ;; esac
@@ -43,7 +44,8 @@ tally() {
 # The unit tests, and beside them as many scripts as there are processors, those that take longest first.
 jobs=$(nproc 2>/dev/null || echo 2)
 run_unit_tests() { (cd "$root" && "$unit_tests" $UNIT_ARGS "$1") >"$scratch/unit_tests$1.log" 2>&1; }
-case $4:$UNIT_ARGS in
+case $4:$UNIT_ARGS:$unit_tests in
+*:none) suites= ;;
 long:*) suites=-ts=statistics ;;
 quick:* | *-tse=statistics*) suites=-tse=statistics ;;
 *) suites="-tse=statistics -ts=statistics" ;;
@@ -54,7 +56,7 @@ for suite in $suites; do
     processes="$processes $!"
 done
 long="limits tolerance memory interrupt page install mini selftest"
-all="$long solve torture state study provenance compare include_order_test option_names_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p')"
+all="$long solve torture state study provenance compare include_order_test option_names_test elementary_test $(ls "$root/tests/cli" | sed -n 's/\.sh$//p')"
 case $4 in
 long) wanted=$long ;;
 quick) wanted=$all LEAVE_OUT="$LEAVE_OUT $long" ;;

@@ -17,17 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail()
+[[noreturn]] void fail(int error)
 {
-    throw std::runtime_error(std::generic_category().message(errno));
+    throw std::runtime_error(std::generic_category().message(error));
 }
 
 /// Reads a file to its end. Throws if there is more than `most` [bytes].
 std::vector<char> read_all(const std::string& path, std::size_t most)
 {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file)
-        fail();
+    if (!file) {
+        const int error = errno;
+        std::error_code unknown;
+        fail(fs::is_directory(path, unknown) ? EISDIR : error); // Windows refuses to open folders
+    }
     constexpr std::size_t more = std::size_t{1} << 20;
     std::vector<char> bytes;
     while (bytes.size() <= most) {
@@ -35,7 +38,7 @@ std::vector<char> read_all(const std::string& path, std::size_t most)
         bytes.resize(length + more);
         const std::size_t got = std::fread(bytes.data() + length, 1, more, file.get());
         if (std::ferror(file.get()) != 0)
-            fail();
+            fail(errno);
         bytes.resize(length + got);
         if (got < more)
             return bytes;

@@ -1,6 +1,7 @@
 #include "parallel/blocks.h"
 
 #include "base/errors.h"
+#include "parallel/thread_memory.h"
 
 #include <atomic>
 #include <exception>
@@ -45,7 +46,10 @@ void ThreadPool::add_workers(std::size_t count)
     workers_.reserve(count); // so that only the start of a thread can fail below, nothing after it
     try {
         while (workers_.size() < count)
-            workers_.emplace_back([this] { worker_loop(); });
+            workers_.emplace_back([this] {
+                worker_loop();
+                release_thread_memory();
+            });
     } catch (const std::system_error&) {
         // The system grants no more threads; the existing ones do all the work.
     }

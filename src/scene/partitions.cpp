@@ -4,6 +4,7 @@
 
 #include "scene/partitions.h"
 
+#include "base/elementary.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "geometry/polygon.h"
 
@@ -77,7 +78,7 @@ struct Contact
 {
     FlatPoint from;
     FlatPoint to;
-    double size() const { return std::hypot(to.x - from.x, to.y - from.y); }
+    double size() const { return elementary::hypot(to.x - from.x, to.y - from.y); }
 };
 
 /// The contact of the plane with another surface, if that rises from it.

@@ -40,7 +40,7 @@ std::string drawing_of(const StageTrace& trace, Chords chords = Chords::sphere, 
     SolveOptions options;
     options.method = Method::global;
     options.chords = chords;
-    return draw_lines({scene, options, "global", "sobol"}, trace, up, {"made & kept"});
+    return draw_lines({scene, options, "--method global, sequence sobol"}, trace, up, {"made & kept"});
 }
 
 /// A line from (0, 0, 0) to `end` and no crossings, beside one to a distance of 2, to which the drawing reaches.

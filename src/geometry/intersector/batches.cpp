@@ -5,6 +5,7 @@
 // line that cannot be filtered.
 
 #include "geometry/intersector/core.h"
+#include "parallel/thread_memory.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,7 @@ std::size_t Intersector::Core::place_lines(const Line* lines, std::size_t count,
 
 void Intersector::Core::all_hits(const Line* lines, std::size_t count, HitLists& lists) const
 {
-    thread_local CandidateBuffers work; // keeps its memory
+    CandidateBuffers& work = thread_memory<CandidateBuffers>();
     lists.end_.assign(count, 0);
     std::size_t begin = 0; // of the hits of the batch
     for (std::size_t first = 0; first < count;) {
@@ -158,7 +159,7 @@ void Intersector::Core::search_tree(CandidateBuffers& work) const
 
 void Intersector::Core::find_first(const RayQuery& query) const
 {
-    thread_local FirstHitBuffers work; // keeps its memory
+    FirstHitBuffers& work = thread_memory<FirstHitBuffers>();
     query.found.resize(query.count);
     work.undecided.clear();
     work.ties.clear();
@@ -275,13 +276,19 @@ void Intersector::Core::put(const RayQuery& query, std::size_t ray, const Neares
         ties.push_back({ray, nearest});
 }
 
+/// Rays extended backwards to whole lines, and their hits.
+struct WholeLines
+{
+    std::vector<Line> lines;
+    HitLists along;
+};
+
 /// Calls visit(k, hits) with the hits along the whole line of each ray: the ray, extended backwards to a line that
 /// starts before the scene.
 template <class Visit>
 void Intersector::Core::for_each_whole_line(const std::vector<Line>& rays, const Visit& visit) const
 {
-    thread_local std::vector<Line> lines; // keeps its memory
-    thread_local HitLists along;
+    auto& [lines, along] = thread_memory<WholeLines>();
     lines.clear();
     for (const Line& ray : rays)
         lines.push_back({ray.at(-reach_of(ray)), ray.direction});

@@ -2,6 +2,7 @@
 // lines. Those for one line are searches for a batch of one (batches.cpp).
 
 #include "geometry/intersector/core.h"
+#include "parallel/thread_memory.h"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ void Intersector::all_hits(const Line* lines, std::size_t count, HitLists& lists
 
 void Intersector::all_hits(const Line& line, std::vector<Hit>& hits) const
 {
-    thread_local HitLists lists; // keeps its memory
+    HitLists& lists = thread_memory<HitLists>();
     core_->all_hits(&line, 1, lists);
     hits.assign(lists[0].begin(), lists[0].end());
 }
@@ -27,7 +28,7 @@ void Intersector::closest_hits_from(const std::uint32_t* from, const Line* rays,
 
 std::optional<Hit> Intersector::closest_hit_from(std::uint32_t from, const Line& ray) const
 {
-    thread_local FirstHits found; // keeps its memory
+    FirstHits& found = thread_memory<FirstHits>();
     core_->find_first({&from, nullptr, &ray, 1, found});
     return found.is_hit(0) ? std::optional<Hit>(found[0]) : std::nullopt;
 }

@@ -101,7 +101,7 @@ TEST_CASE("wrong usage is refused with one plain line")
         {{"room.obj", "--zebra"}, "unknown option '--zebra'"},
         {{"room.obj", "-x"}, "unknown option '-x'"},
         {{"room.obj", "-qx"}, "--quiet takes no value, got 'x'"},
-        {{"room.obj", "-lines"}, "unknown option '-lines'"},
+        {{"room.obj", "-lines"}, "unknown option '-lines'; did you mean --lines?"},
         {{"room.obj", "--lines"}, "--lines needs a value: --lines N"},
         {{"room.obj", "-o"}, "--output needs a value: --output FILE"},
         {{"room.obj", "-o", "--quiet"}, "--output needs a value: --output FILE"},
