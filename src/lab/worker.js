@@ -16,7 +16,7 @@ onmessage = async ({ data: { module, words, files, wanted } }) => {
       postMessage({ progress: Number(share[1]) / 100 });
     }
     if (!share)
-      message += line;
+      message += line.replaceAll('\x1b[K', ''); // which clears the rest of a terminal's line
     line = '';
   };
   const program = await Multipath({
