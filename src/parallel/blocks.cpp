@@ -91,8 +91,8 @@ void run_on_threads(int threads, const std::function<void()>& work)
 
 // Parallel loops over blocks. parallel_blocks hands out block numbers from a counter. ordered_blocks is a producer-
 // consumer pipeline: all threads produce blocks, and one thread at a time consumes the next block in order, once this
-// block is produced. At most slot_count(threads) blocks are between start and consumption, so their buffers form a ring.
-// A pause lowers the end of the run to the blocks already started.
+// block is produced. At most slot_count(threads) blocks are between start and consumption, so their buffers form a
+// ring. A pause lowers the end of the run to the blocks already started.
 
 namespace {
 

@@ -36,8 +36,8 @@ constexpr std::array<NamedValue<double>, 5> unit_choices = {
 constexpr std::array<NamedValue<bool>, 2> light_choices = {{{"watt", false}, {"lux", true}}};
 
 /// The options of the remedies, in the order of Remedy.
-constexpr std::array<std::string_view, 7> remedy_options = {"patch-size", "two-sided", "flip",             "lamp",
-                                                            "sky",        "sun",       "reflectance-limit"};
+constexpr std::array<std::string_view, 7> remedy_options = {"patch-size", "two-sided",        "flip", "lamp", "sky",
+                                                            "sun",        "reflectance-limit"};
 
 } // namespace
 
