@@ -22,10 +22,10 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
                                 const std::vector<Rgb>& source, std::vector<Rgb> first_guess, int threads,
                                 double tolerance, int most_steps)
 {
-    using Field = std::vector<Rgb>;
+    using Vector = std::vector<Rgb>;
     const std::uint32_t n = exchange.size();
-    Field rho_root = large_vector<Rgb>(n);
-    Field inverse_diagonal = large_vector<Rgb>(n);
+    Vector rho_root = large_vector<Rgb>(n);
+    Vector inverse_diagonal = large_vector<Rgb>(n);
     bool positive = true;
     for (std::uint32_t i = 0; i < n; ++i) {
         rho_root[i] = square_root(reflectance[i]);
@@ -34,29 +34,29 @@ ExchangeSolution solve_exchange(const Exchange& exchange, const std::vector<Rgb>
         positive = positive && at_most({}, diagonal);
         inverse_diagonal[i] = quotient({1.0, 1.0, 1.0}, diagonal);
     }
-    const auto matrix = [&](const Field& y) {
+    const auto matrix = [&](const Vector& y) {
         const auto reflected = [&](std::uint32_t i) { return rho_root[i] * y[i]; };
-        Field image = exchange.apply(parallel_list(n, threads, reflected), threads);
+        Vector image = exchange.apply(parallel_list(n, threads, reflected), threads);
         parallel_numbers(n, threads,
                          [&](std::uint32_t i) { image[i] = exchange.row_area(i) * y[i] - rho_root[i] * image[i]; });
         return image;
     };
     const auto precondition = [&](std::size_t i, Rgb residual) { return inverse_diagonal[i] * residual; };
 
-    Field residual = exchange.apply(source, threads);
+    Vector residual = exchange.apply(source, threads);
     const Rgb norm = parallel_sum<Rgb>(n, threads, [&](std::uint32_t i) {
         residual[i] = rho_root[i] * residual[i];
         return residual[i] * precondition(i, residual[i]);
     });
     const Rgb wanted = tolerance * tolerance * norm;
-    Field y = std::move(first_guess);
+    Vector y = std::move(first_guess);
     for (std::uint32_t i = 0; i < n; ++i)
         y[i] = quotient(y[i] - source[i], rho_root[i]);
-    Field image = matrix(y);
+    Vector image = matrix(y);
     for (std::uint32_t i = 0; i < n; ++i)
         residual[i] = residual[i] - image[i];
-    Field().swap(image); // frees its memory
-    const auto done = [&](const Field&, Rgb left) { return at_most(left, wanted); };
+    Vector().swap(image); // frees its memory
+    const auto done = [&](const Vector&, Rgb left) { return at_most(left, wanted); };
     const bool converged =
         positive && conjugate_gradients(matrix, precondition, std::move(residual), most_steps, done, threads, y);
     for (std::uint32_t i = 0; i < n; ++i)
