@@ -159,7 +159,7 @@ Scene turned_to_light(Scene scene, int threads)
 
 std::string scene_path(const CommandLine& line)
 {
-    const std::string name = line.operands()[0];
+    std::string name = line.operands()[0];
     std::error_code error;
     if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(name, error))
         return name;

@@ -453,8 +453,8 @@ private:
                 double weight = 0.0;
                 for_row(i, [&](double w, double rays, std::uint32_t j) {
                     weight += rays * w;
-                    if (j != nothing)
-                        found += (rays * w) * radiosity[j];
+                    if (j != nothing) // of the rays to the sky one counts: they must not draw the rays away from rooms
+                        found += w * radiosity[j];
                 });
                 return source[i] + quotient(1.0, weight) * (rho_[i] * found);
             });

@@ -65,7 +65,7 @@ Solution solve_round(const Scene& scene, const Preparation& preparation, const S
             progress((static_cast<double>(finished) + done) / static_cast<double>(replicates));
         };
         const SolveOptions of_one = replicate_options(options, replicates, round, finished);
-        const Solution one = solve(scene, preparation, of_one, show, checkpoint);
+        Solution one = solve(scene, preparation, of_one, show, checkpoint);
         if (checkpoint && checkpoint->stopped()) {
             if (finished == 0)
                 return one;

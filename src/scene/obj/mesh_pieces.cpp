@@ -102,7 +102,7 @@ private:
             return false;
         const double size = turn_at(i);
         const bool straight = std::abs(size) <= smallest_turn_;
-        is_no_ear_[i] = !straight && (size <= 0.0 || contains_reflex_corner(i));
+        is_no_ear_[i] = !straight && (size <= 0.0 || contains_reflex_corner(i)) ? 1 : 0;
         return !is_no_ear_[i];
     }
 
