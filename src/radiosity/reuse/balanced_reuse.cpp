@@ -453,7 +453,7 @@ private:
                 double weight = 0.0;
                 for_row(i, [&](double w, double rays, std::uint32_t j) {
                     weight += rays * w;
-                    if (j != nothing) // of the rays to the sky one counts: they must not draw the rays away from rooms
+                    if (j != nothing)
                         found += w * radiosity[j];
                 });
                 return source[i] + quotient(1.0, weight) * (rho_[i] * found);
@@ -546,12 +546,11 @@ private:
             Rgb squares;
             for_row(i, [&](double w, double rays_of_weight, std::uint32_t j) {
                 const Rgb light = j != nothing ? radiosity[j] : Rgb{};
-                const double all = rays_of_weight * w;
-                weight += all;
-                squared_weight += all * w;
-                sum += all * light; // rays that meet no patch are dark
-                cross += (all * w) * light;
-                squares += (all * w) * (light * light);
+                weight += rays_of_weight * w;
+                squared_weight += rays_of_weight * w * w;
+                sum += w * light; // rays that meet no patch are dark
+                cross += (w * w) * light;
+                squares += (w * w) * (light * light);
             });
             if (!(weight > 0.0))
                 return;
