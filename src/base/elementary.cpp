@@ -127,14 +127,6 @@ double exp(double x)
     return scaled_exp((x - k * ln2_high) - k * ln2_low, static_cast<int>(k));
 }
 
-double exp2(double x)
-{
-    if (!(std::abs(x) < 1100.0))
-        return exp(x);
-    const double k = std::floor(x + 0.5);
-    return scaled_exp((x - k) * ln2, static_cast<int>(k));
-}
-
 /// ln x = exponent ln 2 + ln m, with ln m = 2 artanh((m - 1) / (m + 1)) by its Taylor series.
 double log(double x)
 {
@@ -149,14 +141,6 @@ double log(double x)
                                 2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
     // 2 s = f - s f, so that the first summand f is exact.
     return e * ln2_high + (f - (s * (f - z * polynomial(terms, z)) - e * ln2_low));
-}
-
-double log2(double x)
-{
-    if (!(x > 0.0 && x < infinity))
-        return log(x);
-    const Parts parts = parts_of(x);
-    return parts.exponent + log(parts.mantissa) / ln2;
 }
 
 double log10(double x)
@@ -213,11 +197,6 @@ double atan2(double y, double x)
     else
         angle = b < a ? atan_up_to_one(b / a) : 0.5 * pi - atan_up_to_one(a / b);
     return std::copysign(std::signbit(x) ? pi - angle : angle, y);
-}
-
-double asin(double x)
-{
-    return atan2(x, std::sqrt((1.0 - x) * (1.0 + x)));
 }
 
 double asinh(double x)

@@ -47,9 +47,7 @@ inline SinCos sin_cos_of_turns(double turns)
 namespace elementary {
 
 double exp(double x);
-double exp2(double x); ///< exact for integers x
 double log(double x);
-double log2(double x);  ///< relative error below 6.6e-16; exact for powers of 2
 double log10(double x); ///< relative error below 6.6e-16; exact for powers of 10 from 1e-22 to 1e22
 /// x^y. Integer powers with |y| <= 1024 are computed by repeated squaring and are exact if all products are; for
 /// y < 0 the reciprocal of x^|y| is rounded. Other powers are NaN if x < 0, and have a relative error below 4.4e-16 +
@@ -60,7 +58,6 @@ double cos(double x); ///< errors as for sin()
 double tan(double x); ///< relative error below 1.8e-15 for |x| <= 1.4
 double atan(double x);
 double atan2(double y, double x);
-double asin(double x);  ///< relative error below 9e-16
 double asinh(double x); ///< relative error below 9e-16
 double hypot(double x, double y);
 

@@ -345,7 +345,7 @@ double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, cons
                      const RenderOptions& options, const ToneMapOptions& tone)
 {
     const double base = tone.scale ? *tone.scale : automatic_exposure(scene, radiosity, camera, options, tone.tone);
-    return base * elementary::exp2(tone.exposure);
+    return base * elementary::pow(2.0, tone.exposure);
 }
 
 ScreenImage picture(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

@@ -79,7 +79,8 @@ Scene adaptively_refined(const Scene& coarse, std::uint64_t most, double memory,
     constexpr std::uint64_t fewest_lines = 8; // for very many patches: as good if each is split only once
     constexpr std::uint64_t many_lines = 1u << 20;
     const double growth = static_cast<double>(most) / coarse.patch_count();
-    const int rounds = std::clamp(static_cast<int>(std::ceil(2.5 * elementary::log2(growth))), 0, most_rounds);
+    const int rounds =
+        std::clamp(static_cast<int>(std::ceil(2.5 * elementary::log(growth) / elementary::log(2.0))), 0, most_rounds);
     Scene scene = coarse;
     for (int round = 0; round < rounds; ++round) {
         SolveOptions quick;

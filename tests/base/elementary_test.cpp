@@ -40,13 +40,10 @@ TEST_CASE("elementary functions are right to two units in the last place")
     constexpr double two_units = 4.4e-16;
     CHECK(largest_error(-700.0, 700.0, elementary::exp, [](long double x) { return std::exp(x); }) < two_units);
     CHECK(largest_error(-1.0, 1.0, elementary::exp, [](long double x) { return std::exp(x); }) < two_units);
-    CHECK(largest_error(-1000.0, 1000.0, elementary::exp2, [](long double x) { return std::exp2(x); }) < two_units);
     CHECK(largest_error(1e-300, 1e300, elementary::log, [](long double x) { return std::log(x); }) < two_units);
     CHECK(largest_error(0.5, 2.0, elementary::log, [](long double x) { return std::log(x); }) < two_units);
-    CHECK(largest_error(1e-9, 1e9, elementary::log2, [](long double x) { return std::log2(x); }) < 1.5 * two_units);
     CHECK(largest_error(1e-9, 1e9, elementary::log10, [](long double x) { return std::log10(x); }) < 1.5 * two_units);
     CHECK(largest_error(1e-9, 1e9, elementary::atan, [](long double x) { return std::atan(x); }) < two_units);
-    CHECK(largest_error(-1.0, 1.0, elementary::asin, [](long double x) { return std::asin(x); }) < 2.0 * two_units);
     CHECK(largest_error(1e-12, 1e200, elementary::asinh, [](long double x) { return std::asinh(x); }) <
           2.0 * two_units);
     CHECK(largest_error(1e-9, 1.0, elementary::sin, [](long double x) { return std::sin(x); }) < two_units);
@@ -75,15 +72,10 @@ TEST_CASE("elementary functions are exact where one expects it")
         CHECK(elementary::log10(power) == n);
         CHECK(elementary::log10(1.0 / power) == -n);
     }
-    for (int n = -1074; n <= 1023; ++n) {
-        CHECK(elementary::exp2(n) == std::ldexp(1.0, n));
-        CHECK(elementary::log2(std::ldexp(1.0, n)) == n);
-    }
     CHECK(elementary::exp(0.0) == 1.0);
     CHECK(elementary::hypot(3.0, 4.0) == 5.0);
     CHECK(elementary::sin(0.0) == 0.0);
     CHECK(elementary::cos(0.0) == 1.0);
-    CHECK(elementary::asin(1.0) == 0.5 * pi);
 }
 
 TEST_CASE("elementary functions take what is no number, endless or 0 as the C library does")
@@ -96,11 +88,9 @@ TEST_CASE("elementary functions take what is no number, endless or 0 as the C li
         };
         if (std::abs(x) != 1.0 && x != 1e-310) { // the last bit
             CHECK(same(elementary::exp(x), std::exp(x)));
-            CHECK(same(elementary::exp2(x), std::exp2(x)));
         }
         if (!(x > 1.0 && x < infinity) && !(x > 0.0 && x < 1e-300)) {
             CHECK(same(elementary::log(x), std::log(x)));
-            CHECK(same(elementary::log2(x), std::log2(x)));
             CHECK(same(elementary::log10(x), std::log10(x)));
         }
         for (const double y : {0.0, -0.0, 1.0, -1.0, infinity, -infinity, nan})

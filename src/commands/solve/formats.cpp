@@ -144,7 +144,7 @@ public:
     /// [m^2/W] Scale from radiosity to the linear colours of GLB meshes and lightmaps, which are clipped at 1.
     double linear_colour_scale() const
     {
-        return elementary::exp2(options.tone.exposure) * linear_scale(scene, solution.radiosity);
+        return elementary::pow(2.0, options.tone.exposure) * linear_scale(scene, solution.radiosity);
     }
 
     /// The mesh with the radiosity at its corners.

@@ -123,7 +123,8 @@ bool is_smooth(const SkewEdges& e, double begin, double end)
     constexpr double negligible = 1e-9;
     if (e.h * e.h / e.sine * half < negligible * (e.s_end - e.s_begin) * (e.t_end - e.t_begin))
         return true;
-    const double height = elementary::asin(std::min(e.sine, 1.0));
+    const double sine = std::min(e.sine, 1.0);
+    const double height = elementary::atan2(sine, std::sqrt((1.0 - sine) * (1.0 + sine)));
     for (const double t : {e.t_begin, e.t_end}) {
         const double position = elementary::asinh(std::copysign(t, t * e.cosine) * e.sine / e.h);
         const double gap = std::max({0.0, begin - position, position - end});
