@@ -92,8 +92,7 @@ std::string today()
 
 std::vector<std::string> facts(const CommandLine& line, double seconds, bool resumed)
 {
-    return {"program: " + version(), "processor: " + processor_name(), "threads: " + std::to_string(thread_count(line)),
-            "date: " + today(),
+    return {"program: " + version(), "threads: " + std::to_string(thread_count(line)), "date: " + today(),
             "time: " + format("%.0f s", seconds) + (resumed ? ", without the runs kept from before" : "")};
 }
 

@@ -10,9 +10,6 @@ namespace multipath {
 /// [bytes] Memory of the machine, or of the container in which the program runs. Infinite if the system does not tell.
 double machine_memory();
 
-/// The processor's name as the system reports it, otherwise the type of machine.
-std::string processor_name();
-
 /// The file of this program; empty if the system does not tell.
 std::string program_path();
 

@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <sys/mman.h>
-#include <sys/utsname.h>
 #include <unistd.h>
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
@@ -38,16 +37,6 @@ double machine_memory()
             bytes = std::min(bytes, allowed);
     }
     return bytes;
-}
-
-std::string processor_name()
-{
-    std::ifstream facts("/proc/cpuinfo"); // Linux
-    for (std::string line; std::getline(facts, line);)
-        if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
-            return line.substr(line.find(": ") + 2);
-    utsname names{};
-    return uname(&names) == 0 ? names.machine : "unknown";
 }
 
 std::string program_path()

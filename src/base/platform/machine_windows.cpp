@@ -2,7 +2,6 @@
 
 #include "base/platform/machine.h"
 
-#include <cstdlib>
 #include <limits>
 #include <windows.h>
 
@@ -14,17 +13,6 @@ double machine_memory()
     status.dwLength = sizeof status;
     return GlobalMemoryStatusEx(&status) != 0 ? static_cast<double>(status.ullTotalPhys)
                                               : std::numeric_limits<double>::infinity();
-}
-
-std::string processor_name()
-{
-    char name[256];
-    DWORD size = sizeof name;
-    if (RegGetValueA(HKEY_LOCAL_MACHINE, "HARDWARE\\DESCRIPTION\\System\\CentralProcessor\\0", "ProcessorNameString",
-                     RRF_RT_REG_SZ, nullptr, name, &size) == ERROR_SUCCESS)
-        return name;
-    const char* type = std::getenv("PROCESSOR_ARCHITECTURE");
-    return type != nullptr ? type : "unknown";
 }
 
 std::string program_path()
