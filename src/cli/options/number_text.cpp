@@ -1,5 +1,6 @@
 #include "cli/options/number_text.h"
 
+#include "base/elementary.h"
 #include "base/errors.h"
 #include "base/text_format.h"
 #include "cli/options/command_line.h"
@@ -21,22 +22,18 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t beyond_count = std::numeric_limits<std::uint64_t>::max();
-
 [[noreturn]] void refuse(std::string_view option, const std::string& expected, std::string_view text)
 {
     throw UsageError(std::string(option) + ": expected " + expected + ", got " + quoted_argument(text));
 }
 
-/// The value of plain digits, at most 2^64 - 1 (larger ones become that); nothing for any other text.
+/// The value of plain digits, at most 2^64 - 1; nothing for any other text.
 std::optional<std::uint64_t> digits_value(std::string_view text)
 {
     std::uint64_t value = 0;
     const char* const end = text.data() + text.size();
     const std::from_chars_result result = std::from_chars(text.data(), end, value);
-    if (text.empty() || result.ptr != end)
-        return std::nullopt;
-    return result.ec == std::errc() ? value : beyond_count;
+    return result.ec == std::errc() && result.ptr == end ? std::optional<std::uint64_t>(value) : std::nullopt;
 }
 
 /// The value of a decimal number times 10^exponent, correctly rounded; nothing for any other text, and for a value out
@@ -59,9 +56,8 @@ std::optional<double> number_value(std::string_view text)
     if (const std::size_t caret = text.find('^'); caret != std::string_view::npos) {
         const std::optional<std::uint64_t> base = digits_value(text.substr(0, caret));
         const std::optional<std::uint64_t> exponent = digits_value(text.substr(caret + 1));
-        double value = 1.0;
-        for (std::uint64_t i = 0; i < std::min<std::uint64_t>(exponent.value_or(0), 1024); ++i) // 2^1024 is infinite
-            value *= static_cast<double>(base.value_or(0));
+        const double value =
+            elementary::pow(static_cast<double>(base.value_or(0)), static_cast<double>(exponent.value_or(0)));
         return base && exponent && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
     }
     const char last = text.empty() ? '\0' : text.back();
@@ -74,9 +70,9 @@ std::optional<std::uint64_t> count_value(std::string_view text)
     if (const std::optional<std::uint64_t> exact = digits_value(text))
         return exact;
     const std::optional<double> value = number_value(text);
-    if (!value || text[0] == '-' || *value != std::floor(*value))
+    if (!value || text[0] == '-' || *value != std::floor(*value) || *value >= 0x1p64)
         return std::nullopt;
-    return *value < 0x1p64 ? static_cast<std::uint64_t>(*value) : beyond_count;
+    return static_cast<std::uint64_t>(*value);
 }
 
 struct Unit

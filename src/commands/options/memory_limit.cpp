@@ -26,11 +26,7 @@ double memory_limit(const CommandLine& line)
 /// "400 GB"
 std::string size_text(double bytes)
 {
-    if (bytes < 1e6)
-        return format("%.3g kB", bytes / 1e3);
-    if (bytes < 1e9)
-        return format("%.3g MB", bytes / 1e6);
-    return bytes < 1e12 ? format("%.3g GB", bytes / 1e9) : format("%.0f TB", bytes / 1e12);
+    return bytes < 1e9 ? format("%.3g MB", bytes / 1e6) : format("%.3g GB", bytes / 1e9);
 }
 
 /// Throws InputError "WHAT about SIZE of memory, but ...; expected EXPECTED" if the bytes exceed the limit.
