@@ -8,12 +8,12 @@
 namespace multipath {
 
 enum class ProgressStyle {
-    none,  ///< nothing is shown
-    bar,   ///< one line that is redrawn, for a terminal
-    lines, ///< a plain line at most every ten seconds, for a log file
+    none,    ///< nothing is shown
+    redrawn, ///< one line that is redrawn, for a terminal
+    lines,   ///< a line at most every ten seconds, for a log file
 };
 
-/// A bar if stderr is a terminal, lines otherwise; none with --quiet.
+/// One line redrawn if stderr is a terminal, lines otherwise; none with --quiet.
 ProgressStyle progress_style(const CommandLine& line);
 
 /// Shows on stderr how much of the work is done and how long the rest will take. A run of a few seconds prints no
@@ -21,9 +21,9 @@ ProgressStyle progress_style(const CommandLine& line);
 class Progress
 {
 public:
-    /// `what`: name of the work, which begins the bar and every line.
+    /// `what`: name of the work, which begins every line.
     Progress(std::string what, ProgressStyle style);
-    ~Progress(); ///< clears the bar
+    ~Progress(); ///< clears the line that is redrawn
 
     void operator()(double done); ///< `done`: share of the work, 0 ... 1
 
@@ -34,7 +34,7 @@ private:
     ProgressStyle style_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_shown_ = start_;
-    bool bar_drawn_ = false;
+    bool redrawn_ = false; ///< a line stands on the terminal
 };
 
 } // namespace multipath

@@ -42,10 +42,10 @@ std::string printed_at_half(ProgressStyle style)
 
 } // namespace
 
-TEST_CASE("a bar shows the share of the work that is done, and is wiped out at the end")
+TEST_CASE("a line shows the share of the work that is done, and is wiped out at the end")
 {
-    const std::string text = printed_at_half(ProgressStyle::bar);
-    CHECK(text.find("\rshooting [###############               ]  50 %  ") == 0);
+    const std::string text = printed_at_half(ProgressStyle::redrawn);
+    CHECK(text.find("\rshooting: 50 %, about 0 s left") == 0);
     REQUIRE(text.size() > 4);
     CHECK(text.substr(text.size() - 4) == "\r\033[K");
 }
