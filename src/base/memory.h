@@ -16,14 +16,10 @@ namespace multipath {
 /// latency of the memory, and few enough to stay in the nearest cache.
 constexpr std::size_t prefetch_distance = 24;
 
-/// Prefetches the cache line of this address, if the compiler supports it.
+/// Prefetches the cache line of this address.
 inline void prefetch(const void* address)
 {
-#if defined(__GNUC__)
     __builtin_prefetch(address);
-#else
-    static_cast<void>(address);
-#endif
 }
 
 /// Prefetches all cache lines of an object.

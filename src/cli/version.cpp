@@ -12,10 +12,8 @@ constexpr char sources[] =
 
 #if defined(__clang__)
 constexpr char compiler[] = "clang++ " __clang_version__;
-#elif defined(__GNUC__)
-constexpr char compiler[] = "g++ " __VERSION__;
 #else
-constexpr char compiler[] = "an unknown compiler";
+constexpr char compiler[] = "g++ " __VERSION__;
 #endif
 
 } // namespace
