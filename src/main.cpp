@@ -70,7 +70,6 @@ int main(int argc, char** argv)
     keep_freed_memory();
     prepare_process();
     end_at_interrupts();
-    end_at_failed_mappings();
     const std::vector<Command> all = commands();
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) {

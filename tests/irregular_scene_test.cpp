@@ -67,7 +67,7 @@ TEST_CASE("a state gives back every property of a scene")
 {
     const Scene scene = irregular_scene();
     const std::string bytes = state_of(archived(scene));
-    StateReader reader("test.state", FileBytes(std::vector<char>(bytes.begin(), bytes.end())));
+    StateReader reader("test.state", bytes);
     ArchivedScene read;
     read.visit(reader);
     CHECK(state_of(read) == bytes);

@@ -25,8 +25,7 @@ public:
     explicit TestCheckpoint(int last) : last_(last) {}
     TestCheckpoint(int last, const SavedWork& left) : last_(last)
     {
-        reader_ =
-            std::make_unique<StateReader>("test", FileBytes(std::vector<char>(left.bytes.begin(), left.bytes.end())));
+        reader_ = std::make_unique<StateReader>("test", left.bytes);
         resume_from(*reader_, left.parts);
     }
 

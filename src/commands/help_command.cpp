@@ -75,8 +75,8 @@ constexpr const char* exit_codes_text = R"(  0    success: everything that was a
   1    the input or the work failed, as with a scene that cannot be read or a
        full disk; or check, selftest or compare --tolerance found a fault
   2    wrong usage: an unknown command, option, value or extension of an output
-  130  interrupted (Ctrl-C): solve and merge write their results so far, if two
-       seconds suffice; other commands write nothing
+  130  interrupted (Ctrl-C): solve and merge write their results so far, unless
+       interrupted again; other commands write nothing
 
 An error is one line on standard error, which says what was expected. Of several
 outputs, none gets its name before all are on the disk.

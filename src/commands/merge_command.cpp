@@ -68,7 +68,7 @@ void average(std::vector<SavedRun>& runs, const Scene& scene, std::uint64_t line
 }
 
 /// The bytes of the state that a single run would have at this point.
-std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene& scene)
+std::string merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene& scene)
 {
     std::string bytes;
     StateWriter sum([&](std::string_view more) { bytes += more; });
@@ -87,7 +87,7 @@ std::vector<char> merged(std::vector<SavedRun>& runs, const SolveJob& job, const
     }
     runs[0].arrays->copy_rest(sum);
     sum.finish();
-    return {bytes.begin(), bytes.end()};
+    return bytes;
 }
 
 int run_merge(const CommandLine& line)
@@ -100,8 +100,8 @@ int run_merge(const CommandLine& line)
                          ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");
     require_all_shards(runs);
     SavedJob wanted = open_saved_job(line, runs[0].description, runs[0].description.scene.file->path);
-    SavedRun sum = read_saved_run(
-        std::make_unique<StateReader>("the sum of the shards", FileBytes(merged(runs, wanted.job, wanted.scene))));
+    SavedRun sum =
+        read_saved_run(std::make_unique<StateReader>("the sum of the shards", merged(runs, wanted.job, wanted.scene)));
     const std::vector<std::string> paths = line.all("output");
     const auto is_state = [](const std::string& path) { return kind_of(path) == FormatKind::state; };
     if (!paths.empty() && std::all_of(paths.begin(), paths.end(), is_state)) {

@@ -6,6 +6,7 @@
 #include "export/state_file.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "sampling/random.h"
 
 #include <algorithm>
@@ -73,15 +74,6 @@ bool all_finite(const void* data, std::size_t length)
     return std::all_of(numbers, numbers + length, [](Number x) { return std::isfinite(x); });
 }
 
-FileBytes bytes_of_state(const std::string& path)
-{
-    try {
-        return FileBytes(path);
-    } catch (const std::runtime_error& error) {
-        throw ArchiveError("cannot read " + path + ": " + error.what());
-    }
-}
-
 } // namespace
 
 StateWriter::StateWriter(Sink sink) : Archive(false), sink_(std::move(sink))
@@ -133,9 +125,9 @@ bool is_state_file(const std::string& path)
     return start == state_kind;
 }
 
-StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_state(path)) {}
+StateReader::StateReader(const std::string& path) : StateReader(path, bytes_of_file(path)) {}
 
-StateReader::StateReader(std::string name, FileBytes bytes)
+StateReader::StateReader(std::string name, std::string bytes)
     : Archive(true), name_(std::move(name)), bytes_(std::move(bytes))
 {
     require_whole();

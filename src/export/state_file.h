@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/archive.h"
-#include "base/file_bytes.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -49,15 +48,15 @@ bool is_state_file(const std::string& path);
 class StateReader : public Archive
 {
 public:
-    /// Throws ArchiveError for a file that cannot be read, is no state file, was written by a newer version, or is
-    /// damaged.
+    /// Throws ArchiveError for a file that is no state file, was written by a newer version, or is damaged. Throws
+    /// InputError if it cannot be read.
     explicit StateReader(const std::string& path);
     /// Reads from the bytes of a file; `name` is for messages. Throws ArchiveError likewise.
-    StateReader(std::string name, FileBytes bytes);
+    StateReader(std::string name, std::string bytes);
 
     const std::string& name() const { return name_; }
 
-    std::string_view bytes() const { return bytes_.view(); }
+    const std::string& bytes() const { return bytes_; }
 
     /// Copies all arrays that `other` does not have yet.
     void copy_rest(StateWriter& other) const;
@@ -88,7 +87,7 @@ private:
     }
 
     std::string name_;
-    FileBytes bytes_;
+    std::string bytes_;
     std::map<std::string, Array> arrays_;
 };
 

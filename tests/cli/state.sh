@@ -215,21 +215,6 @@ shard_options() {
 }
 check "--shard says what it needs" shard_options
 
-# `render` reads the head of the state, opens its outputs, of which a pipe waits for its reader, and reads the rest.
-shrinks() {
-    rm -rf shrinks && mkdir shrinks && mkfifo shrinks/pipe.csv && cp done.state shrinks/run.state || return
-    "$program" render shrinks/run.state --quiet -o shrinks/a.csv -o shrinks/pipe.csv >out 2>err &
-    tries=0
-    until [ -n "$(find shrinks -name '.a.csv.*')" ] || [ $((tries += 1)) -gt 400 ]; do sleep 0.05; done
-    : >shrinks/run.state
-    cat shrinks/pipe.csv >/dev/null
-    wait $!
-    status=$?
-    [ $status -eq 1 ] || { echo "exit status $status"; cat err; return 1; }
-    says err "a file cannot be read to its end" && lines_are err 1 && [ "$(ls -A shrinks | wc -l)" -eq 2 ]
-}
-on_posix check "a state that becomes shorter while it is read ends the program with one line" shrinks
-
 endless() {
     for command in "render /dev/zero" "merge /dev/zero" \
         "solve $scene $quick --from-state /dev/zero" "solve $scene $quick --state /dev/zero --resume"; do

@@ -118,7 +118,7 @@ TEST_CASE("quotes stand around a whole field or nowhere")
 TEST_CASE("control characters are refused wherever they stand")
 {
     using namespace std::string_literals;
-    const std::string binary = "control character, expected a text file (is it binary or damaged?)";
+    const std::string binary = "control character, expected text in UTF-8 (is the file UTF-16, binary or damaged?)";
     CHECK(problem("\0"s) == "a.csv:1: " + binary);
     CHECK(problem("# \0\n"s) == "a.csv:1: " + binary);
     CHECK(problem("a\n1\0\n"s) == "a.csv:2: " + binary);

@@ -51,7 +51,7 @@ std::string written(Visited& visited)
 
 StateReader reader(const std::string& bytes)
 {
-    return {"test.state", FileBytes(std::vector<char>(bytes.begin(), bytes.end()))};
+    return {"test.state", bytes};
 }
 
 Values some_values()

@@ -27,11 +27,10 @@ public:
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    std::vector<char> bytes;
-    const MadeUpState state([&](std::string_view more) { bytes.insert(bytes.end(), more.begin(), more.end()); },
-                            {reinterpret_cast<const char*>(data), size});
+    std::string bytes;
+    const MadeUpState state([&](std::string_view more) { bytes += more; }, {reinterpret_cast<const char*>(data), size});
     try {
-        const SavedRun saved = read_saved_run(std::make_unique<StateReader>("made up", FileBytes(bytes)));
+        const SavedRun saved = read_saved_run(std::make_unique<StateReader>("made up", bytes));
         if (saved.description.scene.patches > 10000)
             return 0;
         const Scene scene = restored(saved.description.scene);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -29,12 +27,8 @@ int copy_standard_output();
 /// Writes all bytes. EPIPE: the reader has closed the pipe.
 int write_all(int descriptor, std::string_view bytes);
 
-/// Whether all bytes could be written. If `to_disk`, waits until they are on the disk, where the file system can tell.
-/// The descriptor stays open.
-int finish_writing(int descriptor, bool to_disk);
-
-/// Waits until the names of new files in a folder ("": the working directory) are on the disk.
-int flush_folder(const std::string& folder);
+/// Waits until all bytes are on the disk, where the file system can tell.
+int flush(int descriptor);
 
 int close_file(int descriptor);
 
@@ -46,17 +40,5 @@ int rename_over(const char* from, const char* to) noexcept;
 
 /// Errors are ignored. Async-signal-safe.
 void remove_file(const char* path) noexcept;
-
-/// A file in memory.
-struct MappedFile
-{
-    std::shared_ptr<const void> owner;
-    const char* data = nullptr;
-    std::size_t size = 0;
-};
-
-/// Maps a regular file. Without an owner if it is empty or cannot be mapped, or where a file that is mapped cannot be
-/// replaced: then it must be read.
-MappedFile map_file(const std::string& path);
 
 } // namespace multipath

@@ -81,14 +81,9 @@ int write_all(int descriptor, std::string_view bytes)
     return 0;
 }
 
-int finish_writing(int descriptor, bool to_disk)
+int flush(int descriptor)
 {
-    return to_disk && _commit(descriptor) != 0 ? errno : 0;
-}
-
-int flush_folder(const std::string&)
-{
-    return 0; // the file system keeps a journal of names
+    return _commit(descriptor) != 0 ? errno : 0;
 }
 
 int close_file(int descriptor)
@@ -110,11 +105,6 @@ int rename_over(const char* from, const char* to) noexcept
 void remove_file(const char* path) noexcept
 {
     DeleteFileA(path);
-}
-
-MappedFile map_file(const std::string&)
-{
-    return {}; // a mapped file cannot be replaced, as a resumed run does with its state
 }
 
 } // namespace multipath

@@ -15,12 +15,6 @@ using SignalHandler = void (*)(int);
 /// stays ignored. The next call replaces the handler. Async-signal-safe.
 void handle_end_signals(SignalHandler handler);
 
-/// Calls the handler after this time [s]. Async-signal-safe.
-void start_alarm(unsigned seconds, SignalHandler handler);
-
-/// Calls the handler when a mapped file cannot be read: it was truncated meanwhile, or its disk fails.
-void handle_failed_mapping(SignalHandler handler);
-
 /// Writes to standard error; errors are ignored. Async-signal-safe.
 void write_to_standard_error(const char* text, std::size_t size) noexcept;
 

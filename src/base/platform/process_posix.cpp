@@ -2,50 +2,24 @@
 
 #include "base/platform/process.h"
 
-#include <array>
 #include <csignal>
 #include <fcntl.h>
+#include <initializer_list>
 #include <unistd.h>
 
 namespace multipath {
 
-namespace {
-
-constexpr std::array<int, 3> end_signals = {SIGINT, SIGTERM, SIGHUP};
-
-/// Installs a handler. It is not interrupted by the other signals of this file, SIGBUS excepted.
-void handle(int signal, SignalHandler handler)
+void handle_end_signals(SignalHandler handler)
 {
     struct sigaction action = {};
     action.sa_handler = handler;
     action.sa_flags = SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    for (const int end : end_signals)
-        sigaddset(&action.sa_mask, end);
-    sigaddset(&action.sa_mask, SIGALRM);
-    sigaction(signal, &action, nullptr);
-}
-
-} // namespace
-
-void handle_end_signals(SignalHandler handler)
-{
-    for (const int signal : end_signals) {
+    sigfillset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before = {};
         if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-            handle(signal, handler);
+            sigaction(signal, &action, nullptr);
     }
-}
-
-void start_alarm(unsigned seconds, SignalHandler handler)
-{
-    handle(SIGALRM, handler);
-    alarm(seconds);
-}
-
-void handle_failed_mapping(SignalHandler handler)
-{
-    handle(SIGBUS, handler);
 }
 
 void write_to_standard_error(const char* text, std::size_t size) noexcept

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <cstdint>
 #include <fcntl.h>
 #include <initializer_list>
 #include <io.h>
@@ -15,7 +14,6 @@ namespace multipath {
 namespace {
 
 std::atomic<SignalHandler> end_handler{nullptr};
-std::atomic<SignalHandler> alarm_handler{nullptr};
 
 /// The system calls it in a new thread. At the end of the console, the program is ended when it returns.
 BOOL WINAPI on_console_event(DWORD event)
@@ -23,16 +21,8 @@ BOOL WINAPI on_console_event(DWORD event)
     if (const SignalHandler handler = end_handler)
         handler(SIGINT);
     if (event == CTRL_CLOSE_EVENT || event == CTRL_LOGOFF_EVENT || event == CTRL_SHUTDOWN_EVENT)
-        Sleep(INFINITE); // the handler of the alarm ends the program
+        Sleep(INFINITE); // the system ends the program after five seconds
     return TRUE;
-}
-
-DWORD WINAPI ring(void* seconds)
-{
-    Sleep(static_cast<DWORD>(reinterpret_cast<std::uintptr_t>(seconds)) * 1000);
-    if (const SignalHandler handler = alarm_handler)
-        handler(SIGTERM);
-    return 0;
 }
 
 } // namespace
@@ -42,16 +32,6 @@ void handle_end_signals(SignalHandler handler)
     if (end_handler.exchange(handler) == nullptr)
         SetConsoleCtrlHandler(on_console_event, TRUE);
 }
-
-void start_alarm(unsigned seconds, SignalHandler handler)
-{
-    alarm_handler = handler;
-    const HANDLE thread = CreateThread(nullptr, 0, ring, reinterpret_cast<void*>(std::uintptr_t{seconds}), 0, nullptr);
-    if (thread != nullptr)
-        CloseHandle(thread);
-}
-
-void handle_failed_mapping(SignalHandler) {} // no file is mapped
 
 void write_to_standard_error(const char* text, std::size_t size) noexcept
 {

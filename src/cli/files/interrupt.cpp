@@ -14,11 +14,8 @@ namespace multipath {
 
 namespace {
 
-constexpr unsigned seconds_to_end = 2;
-
 std::atomic<int> signal_received{0};
 std::atomic<int> always_ends{0};
-std::atomic<int> delays{0};
 static_assert(std::atomic<int>::is_always_lock_free, "signal handlers read them");
 
 /// Writes a text with '?' for control characters, without the heap.
@@ -30,58 +27,23 @@ void write_text(const char* text)
     }
 }
 
-/// Begins the last line of the program. On a terminal it is a new line: the current one may show a progress bar or ^C.
-void begin_last_line(const char* text)
-{
-    if (standard_error_is_terminal())
-        write_to_standard_error("\n", 1);
-    write_text(text);
-}
-
-[[noreturn]] void end_last_line(int exit_code)
-{
-    write_to_standard_error("\n", 1);
-    end_process(exit_code);
-}
-
 extern "C" void end_at_once(int)
 {
-    remove_unfinished();
-    begin_last_line("interrupted");
-    end_last_line(exit_interrupted);
-}
-
-extern "C" void end_with_what_is_complete(int)
-{
-    begin_last_line("interrupted");
+    if (standard_error_is_terminal()) // its current line may show the progress or ^C
+        write_to_standard_error("\n", 1);
+    write_text("interrupted");
     settle_unfinished([](const char* target) {
         write_text("; not written: ");
         write_text(target);
     });
-    end_last_line(exit_interrupted);
-}
-
-extern "C" void end_failed(int)
-{
-    remove_unfinished();
-    begin_last_line("multipath: a file cannot be read to its end: it was truncated meanwhile, or its disk fails");
-    end_last_line(exit_failed);
-}
-
-/// Handler of the alarm, two seconds after the first signal.
-extern "C" void end_in_time(int signal)
-{
-    if (delays > 0)
-        start_alarm(1, end_in_time);
-    else
-        end_with_what_is_complete(signal);
+    write_to_standard_error("\n", 1);
+    end_process(exit_interrupted);
 }
 
 extern "C" void note_interrupt(int)
 {
     signal_received = 1;
-    handle_end_signals(end_with_what_is_complete);
-    start_alarm(seconds_to_end, end_in_time);
+    handle_end_signals(end_at_once);
 }
 
 } // namespace
@@ -98,29 +60,13 @@ void always_end_at_interrupts()
 
 void watch_interrupts()
 {
-    if (always_ends != 0 || signal_received != 0)
-        return;
-    handle_end_signals(note_interrupt);
-}
-
-void end_at_failed_mappings()
-{
-    handle_failed_mapping(end_failed);
+    if (always_ends == 0)
+        handle_end_signals(note_interrupt);
 }
 
 bool interrupted()
 {
     return signal_received != 0;
-}
-
-InterruptDelay::InterruptDelay()
-{
-    ++delays;
-}
-
-InterruptDelay::~InterruptDelay()
-{
-    --delays;
 }
 
 } // namespace multipath

@@ -70,23 +70,17 @@ void complete(const Unfinished& file) noexcept
         file->state = UnfinishedSlot::State::complete;
 }
 
-void remove_unfinished() noexcept
-{
-    for (const UnfinishedSlot& slot : slots)
-        if (slot.state == UnfinishedSlot::State::full || slot.state == UnfinishedSlot::State::complete)
-            remove_file(slot.path.data());
-}
-
 void settle_unfinished(void (*not_written)(const char* target)) noexcept
 {
     for (const UnfinishedSlot& slot : slots) {
         const UnfinishedSlot::State state = slot.state;
         if (state == UnfinishedSlot::State::complete && rename_over(slot.path.data(), slot.target.data()) == 0)
             continue;
-        if (state == UnfinishedSlot::State::full || state == UnfinishedSlot::State::complete)
+        if (state == UnfinishedSlot::State::full || state == UnfinishedSlot::State::complete) {
+            remove_file(slot.path.data());
             not_written(slot.target.data());
+        }
     }
-    remove_unfinished();
 }
 
 // A result must never be incomplete: not after a full disk, Ctrl-C or a crash. So the bytes go to the temporary file
@@ -217,17 +211,16 @@ void OutputFile::write(std::string_view bytes)
 void OutputFile::complete()
 {
     assert(descriptor_ >= 0);
-    discard_at(finish_writing(descriptor_, !temporary_.empty()));
+    if (!temporary_.empty())
+        discard_at(flush(descriptor_));
     multipath::complete(unfinished_);
 }
 
 void OutputFile::commit()
 {
     complete();
-    if (!temporary_.empty()) {
-        const int error = rename_over(temporary_.c_str(), target_.c_str());
-        discard_at(error != 0 ? error : flush_folder(folder_of(target_)));
-    }
+    if (!temporary_.empty())
+        discard_at(rename_over(temporary_.c_str(), target_.c_str()));
     temporary_.clear();
     unfinished_.reset();
     close_file(std::exchange(descriptor_, -1));

@@ -12,7 +12,7 @@ namespace multipath {
 std::string folder_of(const std::string& path);
 
 /// The registration of a part file with the signal handlers, since a signal ends the program without running
-/// destructors. While it exists, remove_unfinished() removes the file.
+/// destructors.
 struct UnfinishedSlot;
 struct ForgetUnfinished
 {
@@ -26,9 +26,6 @@ Unfinished unfinished(const std::string& path, const std::string& target);
 
 /// Marks the file as complete: only the rename is left. No effect on null.
 void complete(const Unfinished& file) noexcept;
-
-/// Removes all registered files, complete or not. Async-signal-safe.
-void remove_unfinished() noexcept;
 
 /// Renames the complete files to their targets and removes the others. Calls `not_written` with the target of each file
 /// that was not renamed. Async-signal-safe.
@@ -45,8 +42,7 @@ void make_folder(const std::string& path);
 class OutputFile
 {
 public:
-    /// Throws OutputError, as write(), complete() and commit() do. After an error an existing target file is unchanged,
-    /// unless it has been replaced and only flushing its folder to the disk failed.
+    /// Throws OutputError, as write(), complete() and commit() do. After an error an existing target file is unchanged.
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;
@@ -55,7 +51,7 @@ public:
     void write(std::string_view bytes);
 
     /// Flushes all bytes to the disk (fsync). After that only the rename is left, for commit() or for the signal
-    /// handler of watch_interrupts().
+    /// handler of end_at_interrupts().
     void complete();
 
     /// Completes the file and renames it to the target. Nothing may be written afterwards.

@@ -195,7 +195,6 @@ void StateKeeper::keep(const std::string& path)
     std::optional<OutputFile> file;
     if (!path.empty())
         file.emplace(path);
-    const InterruptDelay delay;
     last_bytes_.clear();
     StateWriter writer([&](std::string_view bytes) {
         if (file)

@@ -121,6 +121,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         };
         solution = solve_accurately(scene, job.options, job.accuracy, show, &keeper, shard);
     }
+    end_at_interrupts();
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && shard.of > 1) {
         write_outputs(outputs, job, scene, solution, keeper.last_bytes());

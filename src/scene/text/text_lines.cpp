@@ -4,12 +4,12 @@
 #include "scene/text/text_lines.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <stdexcept>
 
 namespace multipath {
 
@@ -49,23 +49,6 @@ std::string_view without_backslash(std::string_view text)
     return text.substr(0, text.rfind('\\'));
 }
 
-FileBytes bytes_of_text(const std::string& path)
-{
-    try {
-        return FileBytes(path);
-    } catch (const std::runtime_error& error) {
-        refuse({path, 0}, std::string("cannot be read: ") + error.what());
-    }
-}
-
-bool looks_like_utf16(std::string_view start)
-{
-    if (start.size() < 2)
-        return false;
-    const std::string_view mark = start.substr(0, 2);
-    return mark == "\xff\xfe" || mark == "\xfe\xff" || (mark[0] == '\0') != (mark[1] == '\0');
-}
-
 } // namespace
 
 std::string name_of(TextLocation place)
@@ -91,10 +74,8 @@ std::string in_quotes(std::string_view word)
 }
 
 TextLines::TextLines(const std::string& path, bool joins_lines)
-    : path_(path), joins_lines_(joins_lines), file_(bytes_of_text(path)), rest_(file_.view())
+    : path_(path), joins_lines_(joins_lines), file_(bytes_of_file(path)), rest_(file_)
 {
-    if (looks_like_utf16(rest_))
-        refuse({path_, 1}, "is UTF-16 text, expected UTF-8: save the file as UTF-8");
     if (rest_.substr(0, 3) == "\xef\xbb\xbf")
         rest_.remove_prefix(3);
 }
@@ -154,7 +135,8 @@ std::size_t TextLines::length_of_line() const
         p += 8;
     for (; p != end && !is_line_end(*p); ++p)
         if (static_cast<unsigned char>(*p) < ' ' && !is_blank(*p))
-            refuse({path_, number_ + 1}, "control character, expected a text file (is it binary or damaged?)");
+            refuse({path_, number_ + 1},
+                   "control character, expected text in UTF-8 (is the file UTF-16, binary or damaged?)");
     return static_cast<std::size_t>(p - begin);
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/file_bytes.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -42,9 +40,11 @@ class TextLines
 public:
     static constexpr std::size_t longest_line = std::size_t{16} << 20; ///< [bytes]
 
-    /// Throws InputError for a file that cannot be read, and for one that looks like UTF-16. `joins_lines`: joins lines
-    /// continued by a backslash; false for files that do not have such lines.
+    /// Throws InputError for a file that cannot be read. `joins_lines`: joins lines continued by a backslash; false for
+    /// files that do not have such lines.
     explicit TextLines(const std::string& path, bool joins_lines = true);
+    TextLines(const TextLines&) = delete;
+    TextLines& operator=(const TextLines&) = delete;
 
     /// Reads the next statement; returns false after the last one. Throws InputError for a control character other than
     /// blanks and line ends, a line longer than longest_line, and a file that ends after a continuation backslash.
@@ -60,7 +60,7 @@ private:
 
     std::string path_;
     bool joins_lines_;
-    FileBytes file_;
+    std::string file_;
     std::string_view rest_;    ///< not yet returned
     std::uint32_t number_ = 0; ///< of the last line that was returned
     bool ended_ = true;        ///< see TextLine::ended

@@ -322,7 +322,7 @@ TEST_CASE("what is unfinished is removed, what is finished stays")
     replaced = unfinished(folder.path("missing"), folder.path("d"));
     unfinished(folder.path("finished"), folder.path("e"));
 
-    remove_unfinished();
+    settle_unfinished([](const char*) {});
     CHECK_FALSE(std::filesystem::exists(folder.path("part")));
     CHECK_FALSE(std::filesystem::exists(folder.path("moved")));
     CHECK(std::filesystem::exists(folder.path("finished")));
@@ -362,14 +362,14 @@ TEST_CASE("those beyond the number of slots are left alone, and slots are used a
             folder.write(std::to_string(n), "");
             many.push_back(unfinished(folder.path(std::to_string(n)), folder.path("target")));
         }
-        remove_unfinished();
+        settle_unfinished([](const char*) {});
         CHECK_FALSE(std::filesystem::exists(folder.path("0")));
         CHECK_FALSE(std::filesystem::exists(folder.path("63")));
         CHECK(std::filesystem::exists(folder.path("64")));
     }
     folder.write("long", "");
     const Unfinished endless = unfinished(folder.path("long") + std::string(5000, '/'), folder.path("target"));
-    remove_unfinished();
+    settle_unfinished([](const char*) {});
     CHECK(std::filesystem::exists(folder.path("long")));
 }
 

@@ -66,8 +66,7 @@ SavedWork next_stage(const Scene& scene, const SolveOptions& options, const std:
     std::vector<std::unique_ptr<StateReader>> readers;
     std::vector<Archive*> archives;
     for (const SavedWork& share : shares) {
-        std::vector<char> bytes(share.bytes.begin(), share.bytes.end());
-        readers.push_back(std::make_unique<StateReader>("share", FileBytes(std::move(bytes))));
+        readers.push_back(std::make_unique<StateReader>("share", share.bytes));
         archives.push_back(readers.back().get());
     }
     SavedWork all{"", shares[0].parts};
