@@ -132,29 +132,13 @@ std::string without_controls(std::string_view text, std::string_view kept)
     return result;
 }
 
-namespace {
-
-/// A character as it is written inside $'...'.
-std::string escaped(char c)
-{
-    if (c == '\'' || c == '\\')
-        return {'\\', c};
-    if (!is_control(c))
-        return {c};
-    return {'\\', static_cast<char>('0' + (c >> 6)), static_cast<char>('0' + (c >> 3 & 7)),
-            static_cast<char>('0' + (c & 7))};
-}
-
-} // namespace
-
 std::string shell_word(std::string_view text)
 {
     if (!text.empty() && text.find_first_not_of(plain_characters) == std::string_view::npos)
         return std::string(text);
-    const bool escapes = std::any_of(text.begin(), text.end(), is_control);
-    std::string quoted = escapes ? "$'" : "'";
-    for (const char c : text)
-        quoted += escapes ? escaped(c) : c == '\'' ? "'\\''" : std::string(1, c);
+    std::string quoted = "'";
+    for (const char c : without_controls(text))
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
     return quoted + "'";
 }
 

@@ -9,11 +9,7 @@
 namespace multipath {
 
 /// Formats values like printf.
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-std::string
-format(const char* pattern, ...);
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...);
 
 /// Three numbers with so many significant digits: "(1, 2.5, -3)".
 std::string triple(double a, double b, double c, int digits);
@@ -46,8 +42,8 @@ std::string counted(std::size_t count, const std::string& noun);
 /// The text with '?' for control characters, such as those of file names, which terminals obey. Those of `kept` stay.
 std::string without_controls(std::string_view text, std::string_view kept = "");
 
-/// Quotes a word for a POSIX shell. The result has no line ends. A word of harmless characters stays as it is; others
-/// are put in '...', or in $'...' (POSIX 2024) with octal escapes if they contain control characters.
+/// Quotes a word for a POSIX shell. A word of harmless characters stays as it is; others are put in '...', with '?' for
+/// control characters, so that the result has no line ends.
 std::string shell_word(std::string_view text);
 
 /// The length [bytes] of the UTF-8 character at the beginning of a text (RFC 3629); 0 if the text is empty or does not

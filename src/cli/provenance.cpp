@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace multipath {
 
@@ -14,34 +13,6 @@ namespace {
 constexpr std::array<std::string_view, 10> without_effect = {"threads", "output", "quiet",      "cache",  "json",
                                                              "verbose", "state",  "save-every", "resume", "from-state"};
 
-bool default_holds(const Option& option, const CommandLine& line)
-{
-    std::istringstream conditions{std::string(option.default_if)};
-    for (std::string condition; conditions >> condition;) {
-        const std::size_t equals = condition.find('=');
-        const std::string other = condition.substr(0, equals);
-        if (line.knows(other) &&
-            line.text(other) != (equals == std::string::npos ? line.default_text(other) : condition.substr(equals + 1)))
-            return false;
-    }
-    return true;
-}
-
-/// The option as words of a command line, after a space; "" if it is not recorded.
-std::string words_of(const Option& option, const CommandLine& line)
-{
-    const std::string name(option.name);
-    if (option.argument.empty())
-        return line.has(name) ? " --" + name : "";
-    if (!line.has(name))
-        return line.text(name).empty() || !default_holds(option, line) ? "" : option_text(name, line.text(name));
-    std::string text;
-    for (const std::string& value : line.all(name))
-        if (!value.empty())
-            text += option_text(name, value);
-    return text;
-}
-
 std::string command_text(const CommandLine& line, const std::vector<std::string>& left_out)
 {
     const std::vector<std::string>& operands = line.operands();
@@ -49,8 +20,9 @@ std::string command_text(const CommandLine& line, const std::vector<std::string>
         std::any_of(operands.begin(), operands.end(), [](const std::string& word) { return word.substr(0, 1) == "-"; });
     std::string options;
     for (const Option& option : all_options(line.table().groups))
-        if (is_recorded(option.name) && std::find(left_out.begin(), left_out.end(), option.name) == left_out.end())
-            options += words_of(option, line);
+        for (const std::string& value : line.all(option.name))
+            if (is_recorded(option.name) && std::find(left_out.begin(), left_out.end(), option.name) == left_out.end())
+                options += option_text(option.name, value);
     std::string words;
     for (const std::string& operand : operands)
         words += " " + shell_word(operand);

@@ -9,10 +9,10 @@
 
 namespace multipath {
 
-/// Origin of an output, one line per fact: version, the command that reproduces the output, seed, hash of the scene,
-/// and the unit of light if it is lux. Options that do not change the result (threads, outputs, messages) are left out
-/// of the command, so that the same result has the same bytes. The command is one line that a POSIX shell reads back as
-/// the same words. `left_out`: further options that are not to be recorded.
+/// Origin of an output, one line per fact: version, the command as it was given, seed, hash of the scene, and the unit
+/// of light if it is lux. Options that do not change the result (threads, outputs, messages) are left out of the
+/// command, so that the same command gives the same bytes. The command is one line that a POSIX shell reads back as the
+/// same words, but for control characters. `left_out`: further options that are not to be recorded.
 std::vector<std::string> provenance(const CommandLine& line, const Scene& scene,
                                     const std::vector<std::string>& left_out = {});
 

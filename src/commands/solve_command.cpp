@@ -98,7 +98,6 @@ Scene with_adaptive_patches(SolveJob& job, Scene coarse)
     const std::uint64_t most = adaptive_patches(job.line, coarse.surfaces());
     if (most == 0)
         return coarse;
-    job.line.settle_default("adaptive", std::to_string(most));
     if (job.line.has("adaptive") && coarse.patch_count() >= most)
         throw InputError(coarse.path() + ": --adaptive: has " + grouped(coarse.patch_count()) +
                          " patches before any is cut; expected more than that");

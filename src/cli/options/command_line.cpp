@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "cli/options/spelling.h"
 
 #include <algorithm>
 #include <cassert>
@@ -104,13 +103,8 @@ bool CommandLine::read_option(const std::string& argument, const std::string* ne
     const std::string name = argument.substr(0, is_long ? argument.find('=') : 2);
     const Option* option = first_option(
         table_, [&](const Option& o) { return is_long ? dashed(o) == name : o.short_name == name.back(); });
-    if (option == nullptr) {
-        const std::string typed = is_long ? name : argument;
-        std::vector<std::string> known;
-        for (const Option& other : all_options(table_.groups))
-            known.push_back(dashed(other));
-        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, known));
-    }
+    if (option == nullptr)
+        throw UsageError("unknown option " + quoted_argument(is_long ? name : argument));
     const bool attached = name.size() < argument.size();
     std::string value = attached ? argument.substr(name.size() + (argument[name.size()] == '=' ? 1 : 0)) : "";
     if (attached && option->argument.empty())
@@ -139,10 +133,7 @@ bool CommandLine::has(std::string_view name) const
 
 std::string CommandLine::text(std::string_view name) const
 {
-    if (has(name))
-        return given_.find(name)->second.back();
-    const auto settled = settled_.find(name);
-    return settled != settled_.end() ? settled->second : default_text(name);
+    return has(name) ? given_.find(name)->second.back() : default_text(name);
 }
 
 std::string CommandLine::default_text(std::string_view name) const

@@ -28,11 +28,7 @@ struct Option
     std::string help = {};                      ///< help_text() wraps it and adds choices and default in brackets
     bool repeatable = false;                    ///< true: the option may be given more than once
     std::vector<std::string_view> choices = {}; ///< allowed values; empty: any text
-    /// Options with which the default holds, separated by spaces: "tolerance time" if these have their own defaults,
-    /// "shading=gather" if that has this value. In other cases the option would be refused if it were given, have
-    /// another meaning or no effect.
-    std::string_view default_if = {};
-    bool may_change = false; ///< true: may differ from the run whose state is resumed
+    bool may_change = false;                    ///< true: may differ from the run whose state is resumed
 };
 
 struct OptionGroup
@@ -127,9 +123,6 @@ public:
     /// the option.
     std::string text(std::string_view name) const;
 
-    /// Replaces the default of an option. For a default that depends on data read later, such as the scene.
-    void settle_default(std::string_view name, std::string text) { settled_[std::string(name)] = std::move(text); }
-
     /// The row whose name is the value of the option. Throws UsageError if there is no such row.
     template <typename Rows>
     auto choice(std::string_view name, const Rows& rows) const
@@ -142,8 +135,7 @@ public:
     /// True if the command has this option.
     bool knows(std::string_view name) const { return find_option(table_, name) != nullptr; }
 
-    /// The default in the table of the command, not one of settle_default(); "" if there is none. The command must have
-    /// the option.
+    /// The default in the table of the command; "" if there is none. The command must have the option.
     std::string default_text(std::string_view name) const;
 
     /// All values given, in the order of the user. Empty if the option was not given, whatever its default.
@@ -164,7 +156,6 @@ private:
 
     CommandTable table_;
     std::map<std::string, std::vector<std::string>, std::less<>> given_; ///< by long name; a flag has the value ""
-    std::map<std::string, std::string, std::less<>> settled_;            ///< defaults by long name
     std::vector<std::string> operands_;
 };
 

@@ -40,8 +40,7 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         {method_option(with_reuse),
          line_count,
          {"ratio", 0, "R", "auto",
-          "Local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse.", false,
-          any_text, "power-per-line"},
+          "Local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse."},
          {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
           "Unshot radiosity in W/m^2 that the extended first shot leaves on every patch; auto takes the paper's."},
@@ -89,7 +88,7 @@ OptionGroup solve_method_group()
     return method_option_group(
         {"lines", 'n', "N", "auto",
          "Total number of lines, local and global; auto takes 2^20, or a power of two that gives each patch 24.", false,
-         any_text, "tolerance time", true},
+         any_text, true},
         true);
 }
 
@@ -138,12 +137,10 @@ std::string usual_lines(const Scene& scene)
     return "2^" + std::to_string(power);
 }
 
-void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options)
+void settle_lines(const Scene& scene, const CommandLine& line, SolveOptions& options)
 {
-    if (line.text("lines") != "auto")
-        return;
-    line.settle_default("lines", usual_lines(scene));
-    options.lines = read_count("--lines", usual_lines(scene), 1, most_lines);
+    if (line.text("lines") == "auto")
+        options.lines = read_count("--lines", usual_lines(scene), 1, most_lines);
 }
 
 void require_options_with_effect(const CommandLine& line)

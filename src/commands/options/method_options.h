@@ -29,8 +29,8 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
 /// is at least 2^20 and gives each patch at least 24 lines.
 std::string usual_lines(const Scene& scene);
 
-/// Replaces `--lines auto` by usual_lines(), in the command line and in the options. Does nothing for other values.
-void settle_lines(const Scene& scene, CommandLine& line, SolveOptions& options);
+/// Sets the number of lines to usual_lines() if the command line says `--lines auto`.
+void settle_lines(const Scene& scene, const CommandLine& line, SolveOptions& options);
 
 // Values of --chords, --pairing and --line-order.
 inline constexpr std::array<NamedValue<Chords>, 2> chords_choices = {

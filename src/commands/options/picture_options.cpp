@@ -105,10 +105,9 @@ OptionGroup picture_option_group()
          {"shading", 0, "HOW", "smooth",
           "Interpolate between patches, show each in one colour, or compute the last reflection for every pixel "
           "(gather): slow, but with sharp shadows.",
-          false, names_of(shading_choices), "show"},
+          false, names_of(shading_choices)},
          {"gather-rays", 0, "N", "64",
-          "For --shading gather: rays per pixel in all directions, and half as many as to the sources.", false,
-          any_text, "shading=gather"},
+          "For --shading gather: rays per pixel in all directions, and half as many as to the sources."},
          {"camera", 0, "FILE.json", "",
           "View that the page has saved. Several give several pictures: room-door.png for door.json.", true},
          {"eye", 0, "X,Y,Z", "", "Position of the camera; by default it shows most of the lit parts of the room."},
@@ -118,10 +117,9 @@ OptionGroup picture_option_group()
          {"grid", 0, "HEIGHT,STEP", "",
           "Write into .csv files the irradiance from above on a horizontal grid, at a height above the lowest point of "
           "the scene, with a distance between its points, in metres. Also prints its statistics."},
-         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure.", false,
-          any_text, "show"},
+         {"exposure", 0, "STOPS", "0", "Brighter (1 = twice) or darker (-1 = half) than the automatic exposure."},
          {"tone-map", 0, "HOW", "reinhard", "Tone curve from radiosity to screen brightness.", false,
-          names_of(tone_operators), "show"}}};
+          names_of(tone_operators)}}};
 }
 
 PictureOptions read_picture_options(const CommandLine& line, int threads)

@@ -45,18 +45,16 @@ OptionGroup accuracy_option_group()
         "Accuracy",
         {{"adaptive", 0, "N", "",
           "Cut patches where the light changes most, until there are N: the default without --patch-size and "
-          "--patches.",
-          false, any_text, "tolerance"},
+          "--patches."},
          {"replicates", 0, "R", "1",
           "Solve R times with independent randomisations of the sequence, each with its part of the lines; estimates "
-          "the standard error of every patch and of the whole.",
-          false, any_text, "tolerance time"},
+          "the standard error of every patch and of the whole."},
          {"tolerance", 0, "SHARE", "",
           "Cut patches, unless options fix them, and double the lines, at most to --lines, until the root of the "
           "relative mean square error is at most this, such as 1%. Takes 4 replicates by default.",
-          false, any_text, "", true},
+          false, any_text, true},
          {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s, otherwise as --tolerance.",
-          false, any_text, "", true}}};
+          false, any_text, true}}};
 }
 
 Accuracy read_accuracy(const CommandLine& line)
