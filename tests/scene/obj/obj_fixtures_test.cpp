@@ -118,7 +118,7 @@ const std::vector<Fails> failures = {
     {"29_truncated", ":5: the file ends in the middle of a face"},
     {"30_v_missing_coord", ":1: vertex: a number is missing"},
     {"31_empty", ":1: the file is empty"},
-    {"32_binary", ":1: control character, expected a text file"},
+    {"32_binary", ":1: control character, expected text in UTF-8"},
     {"38_garbage_num", ":2: vertex: `x` is not a finite number"},
 };
 
