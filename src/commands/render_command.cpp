@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "cli/files/standard_streams.h"
 #include "cli/options/command_line.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
@@ -19,7 +20,7 @@ int run_render(const CommandLine& line)
     const SavedRun saved = read_saved_run(line.operands()[0]);
     SavedJob wanted = open_saved_job(line, saved.description, line.operands()[0]);
     const Solution solution = finished_solution(saved, wanted.scene);
-    write_outputs(wanted.outputs, wanted.job, wanted.scene, solution, "");
+    print_note(write_outputs(wanted.outputs, wanted.job, wanted.scene, solution, ""));
     return 0;
 }
 

@@ -37,14 +37,6 @@ void print_what_was_read(const SceneFile& file)
     print_note(format("%s: %s\n", file.path.c_str(), file.counts.c_str()));
 }
 
-void warn_of_line_count(const SolveOptions& options)
-{
-    const bool power_of_two = (options.lines & (options.lines - 1)) == 0;
-    if (sequence_kind(options.sequence).fills_best_at_powers_of_two && !power_of_two)
-        print_note("note: the points of " + options.sequence +
-                   " are spread best when their number is a power of two, such as --lines 2^20\n");
-}
-
 void require_one_on_standard_output(const CommandLine& line)
 {
     const std::vector<std::string> outputs = line.all("output");
@@ -208,10 +200,8 @@ int run_solve(const CommandLine& line)
         job.options.importance = important_patches(scene, line.text("important"), job.pictures);
     require_results_possible(job, scene, outputs);
     require_memory_for_reuse(job.line, job.options, scene);
-    if (!job.quiet) {
+    if (!job.quiet)
         print_what_was_read(scene.file());
-        warn_of_line_count(job.options);
-    }
     const RunDescription description = description_of(job.line, scene, state.shard);
     StateKeeper keeper(state, has_kind(outputs, FormatKind::state), description);
     if (!state.from.empty())

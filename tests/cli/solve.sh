@@ -310,12 +310,6 @@ skip_and_pairing() {
 }
 check "items can be skipped and taken in pairs, and the table says so" skip_and_pairing
 
-power_of_two() {
-    ends 0 solve "$scene" --lines 1000 --patch-size 1 --size 8x6 && says err "power of two" && ends 0 solve "$scene" --lines 2^10 --patch-size 1 --size 8x6 &&
-        ! grep "power of two" err && ends 0 solve "$scene" --lines 1000 --patch-size 1 --sequence random --size 8x6 && ! grep "power of two" err
-}
-check "a number of lines that does not suit Sobol's sequence is remarked on, once" power_of_two
-
 too_short() { ends 2 solve "$scene" --patch-size 1 --lines 1000 --sequence hammersley:500 -o a.csv && lines_are err 3 && says err "ends after 500"; }
 check "a sequence that is too short is refused" too_short
 

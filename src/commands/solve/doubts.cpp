@@ -44,14 +44,14 @@ std::vector<std::string> doubts_of_lines(const SolveSummary& s)
         static_cast<std::uint64_t>(s.solution.replicates) * min_balanced_rays(s.scene);
     constexpr std::uint64_t few_per_patch = 16;
     std::vector<std::string> doubts;
-    if (s.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 && lines < enough_for_reuse)
+    if (s.job.options.method == Method::reuse && s.complete && s.solution.global_lines == 0 && lines < enough_for_reuse)
         doubts.push_back("too few lines for reuse: particles carried the light, with more noise; " +
                          grouped(enough_for_reuse) + " lines are enough");
     else if (lines < few_per_patch * s.scene.patch_count())
         doubts.push_back(format("only %.2g lines per patch, and neighbours differ by noise; --lines %s gives each 24",
                                 static_cast<double>(lines) / s.scene.patch_count(), usual_lines(s.scene).c_str()));
     if (s.solution.by_particles)
-        doubts.push_back(std::string(s.options.method->name) + " finds no sound solution with these lines: " +
+        doubts.push_back(std::string(s.job.options.method->name) + " finds no sound solution with these lines: " +
                          "particles carried the light, with more noise; more lines help");
     return doubts;
 }
@@ -88,16 +88,16 @@ std::vector<std::string> doubts_of_power(const SolveSummary& s)
 std::vector<std::string> doubts_of_error(const SolveSummary& s)
 {
     std::vector<std::string> doubts;
-    if (s.accuracy.tolerance && s.error() > *s.accuracy.tolerance)
-        doubts.push_back(format("that is above the tolerance of %.3g %%: ", 100.0 * *s.accuracy.tolerance) +
-                         (*s.accuracy.patch_error > s.accuracy.patch_tolerance()
+    if (s.job.accuracy.tolerance && s.error() > *s.job.accuracy.tolerance)
+        doubts.push_back(format("that is above the tolerance of %.3g %%: ", 100.0 * *s.job.accuracy.tolerance) +
+                         (*s.job.accuracy.patch_error > s.job.accuracy.patch_tolerance()
                               ? "there are too few patches; up to a million are chosen if no option fixes them"
                               : "the limit of lines or time was reached"));
     if (s.solution.relative_standard_error &&
-        all_lines(s) < lines_for_error_estimate(s.scene, s.options.method, s.solution.replicates))
+        all_lines(s) < lines_for_error_estimate(s.scene, s.job.options.method, s.solution.replicates))
         doubts.push_back(format("with fewer than %d lines per patch in each replicate it may be several times larger; "
                                 "more lines or fewer replicates help",
-                                static_cast<int>(s.options.method->lines_per_patch(s.scene))));
+                                static_cast<int>(s.job.options.method->lines_per_patch(s.scene))));
     return doubts;
 }
 

@@ -358,8 +358,8 @@ std::string moved_coordinates_warning(const std::vector<PlannedOutput>& outputs,
 
 } // namespace
 
-void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
-                   const Solution& solution, const std::string& state)
+std::string write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
+                          const Solution& solution, const std::string& state)
 {
     const bool has_view = has_kind(outputs, FormatKind::mesh) || has_kind(outputs, FormatKind::picture) ||
                           has_kind(outputs, FormatKind::page);
@@ -373,11 +373,13 @@ void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, con
         output->file.complete();
     }
     commit(outputs);
+    std::string names;
     if (job.quiet)
-        return;
+        return names;
     print_note(solved.grid_note() + moved_coordinates_warning(outputs, scene));
     for (const PlannedOutput& output : outputs)
-        print_note("wrote      " + output.file.name() + "\n");
+        names += "wrote      " + output.file.name() + "\n";
+    return names;
 }
 
 } // namespace multipath

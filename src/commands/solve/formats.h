@@ -53,11 +53,12 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
                                                  const std::vector<std::string>& inputs,
                                                  const PictureOptions& pictures);
 
-/// Writes the solution into every output in its format and commits all. Prints, unless the job is quiet, the names of
-/// the files, the statistics of a grid that was written, and warnings. `state`: the bytes of a state; may be empty if
-/// there is none among the outputs. Throws OutputError. Throws InputError if a format cannot hold the result, and
-/// SettingsError for a grid that has no points or more than a million.
-void write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
-                   const Solution& solution, const std::string& state);
+/// Writes the solution into every output in its format and commits all. Prints, unless the job is quiet, the statistics
+/// of a grid that was written, and warnings, and returns a line "wrote FILE" for each file, which the caller prints
+/// last. `state`: the bytes of a state; may be empty if there is none among the outputs. Throws OutputError. Throws
+/// InputError if a format cannot hold the result, and SettingsError for a grid that has no points or more than a
+/// million.
+std::string write_outputs(std::vector<PlannedOutput>& outputs, const SolveJob& job, const Scene& scene,
+                          const Solution& solution, const std::string& state);
 
 } // namespace multipath

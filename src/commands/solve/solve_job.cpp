@@ -124,11 +124,12 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     end_at_interrupts();
     const double seconds_trace = seconds_since(solve_start);
     if (keeper.stopped() && shard.of > 1) {
-        write_outputs(outputs, job, scene, solution, keeper.last_bytes());
+        const std::string names = write_outputs(outputs, job, scene, solution, keeper.last_bytes());
         if (!job.quiet)
             print_note(
                 format("%s; 'multipath merge' adds the shards up\n",
-                       keeper.published() ? "this shard is done" : "interrupted; --resume continues this shard"));
+                       keeper.published() ? "this shard is done" : "interrupted; --resume continues this shard") +
+                names);
         return keeper.published() ? exit_done : exit_interrupted;
     }
     if (shard.of > 1 && job.options.method->shards == Shards::added)
@@ -138,14 +139,12 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     else
         require_light(scene, solution);
     const SolveJob::Clock::time_point outputs_start = SolveJob::Clock::now();
-    write_outputs(outputs, job, scene, solution, keeper.last_bytes());
+    const std::string names = write_outputs(outputs, job, scene, solution, keeper.last_bytes());
     const double seconds_outputs = seconds_since(outputs_start);
 
-    const SolveSummary summary{scene,
-                               job.options,
+    const SolveSummary summary{job,
+                               scene,
                                solution,
-                               job.sequence,
-                               job.accuracy,
                                seconds_since(job.start),
                                seconds_trace,
                                seconds_outputs,
@@ -158,6 +157,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         print_note(summary_text(summary));
         if (job.line.has("verbose"))
             print_note(stages_text(solution));
+        print_note(names);
     }
     return keeper.stopped() ? exit_interrupted : 0;
 }

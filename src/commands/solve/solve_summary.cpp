@@ -42,16 +42,16 @@ double lines_per_second(const SolveSummary& s)
 
 std::optional<double> SolveSummary::error() const
 {
-    if (!accuracy.patch_error || !solution.relative_standard_error)
+    if (!job.accuracy.patch_error || !solution.relative_standard_error)
         return std::nullopt;
-    return elementary::hypot(*accuracy.patch_error, *solution.relative_standard_error);
+    return elementary::hypot(*job.accuracy.patch_error, *solution.relative_standard_error);
 }
 
 std::optional<double> SolveSummary::error_of_important() const
 {
-    if (!options.importance || solution.standard_error.empty())
+    if (!job.options.importance || solution.standard_error.empty())
         return std::nullopt;
-    std::vector<double> weights = options.importance->weight;
+    std::vector<double> weights = job.options.importance->weight;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         weights[i] *= scene.area(i);
     return std::sqrt(expected_relative_square(weights, solution.radiosity, solution.standard_error));
@@ -62,7 +62,7 @@ namespace {
 std::string important_text(const SolveSummary& s)
 {
     std::uint64_t patches = 0;
-    for (const double weight : s.options.importance->weight)
+    for (const double weight : s.job.options.importance->weight)
         patches += weight > 0.0 ? 1 : 0;
     const std::optional<double> error = s.error_of_important();
     return format("important  %s patches%s\n", grouped(patches).c_str(),
@@ -85,21 +85,21 @@ std::string summary_text(const SolveSummary& s)
     const PowerBalance& balance = s.solution.balance;
     const auto percent = [&](Rgb part) { return percent_of_emitted(balance, part); };
     const Rgb b = mean_radiosity(s);
-    const std::string method(s.options.method->name);
+    const std::string method(s.job.options.method->name);
     std::string text;
     text += format("scene      %s surfaces%s, %s patches, %.4g m^2, mean reflectance %.3f\n",
                    grouped(s.scene.own_surfaces()).c_str(), s.scene.file().sky_surfaces > 0 ? " and the sky" : "",
                    grouped(s.scene.patch_count()).c_str(), s.scene.own_area(), mean_reflectance(s.scene));
-    text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.sequence.c_str(),
+    text += format("method     %s, sequence %s: %s local + %s global lines\n", method.c_str(), s.job.sequence.c_str(),
                    grouped(s.solution.local_lines).c_str(), grouped(s.solution.global_lines).c_str());
     if (const std::optional<double> error = s.error())
         text += format("error      %s of the mean (patches %s, noise %s), by %d replicates%s\n",
-                       percent_text(*error).c_str(), percent_text(*s.accuracy.patch_error).c_str(),
+                       percent_text(*error).c_str(), percent_text(*s.job.accuracy.patch_error).c_str(),
                        percent_text(*s.solution.relative_standard_error).c_str(), s.solution.replicates,
                        s.solution.all_lines > s.solution.local_lines + s.solution.global_lines
                            ? (" of the last round; " + grouped(s.solution.all_lines) + " lines in all rounds").c_str()
                            : "");
-    if (s.options.importance)
+    if (s.job.options.importance)
         text += important_text(s);
     text += warnings(doubts_of_error(s));
     const LightUnits units = light_units(s.scene.file());
@@ -113,8 +113,8 @@ std::string summary_text(const SolveSummary& s)
         return text + format("time       %.2f s, of this part of the run\n", s.seconds);
     text +=
         format("time       %.2f s, %.2f s of it tracing: %.2f million lines/s on %d thread%s; %.2f s for the outputs\n",
-               s.seconds, s.seconds_trace, 1e-6 * lines_per_second(s), s.options.threads,
-               s.options.threads == 1 ? "" : "s", s.seconds_outputs);
+               s.seconds, s.seconds_trace, 1e-6 * lines_per_second(s), s.job.options.threads,
+               s.job.options.threads == 1 ? "" : "s", s.seconds_outputs);
     return text;
 }
 
@@ -149,11 +149,11 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("source_power_w", mean(source));
     json.numbers("source_power_rgb_w", source);
     json.text("unit", light_units(s.scene.file()).per_area);
-    json.text("method", std::string(s.options.method->name));
-    json.text("sequence", s.sequence);
-    const bool has_chords = has_option(s.options.method, "chords");
-    has_chords ? json.text("chords", name_of(chords_choices, chords_of(s.options))) : json.null("chords");
-    json.count("seed", s.options.seed);
+    json.text("method", std::string(s.job.options.method->name));
+    json.text("sequence", s.job.sequence);
+    const bool has_chords = has_option(s.job.options.method, "chords");
+    has_chords ? json.text("chords", name_of(chords_choices, chords_of(s.job.options))) : json.null("chords");
+    json.count("seed", s.job.options.seed);
     json.count("lines", s.solution.local_lines + s.solution.global_lines);
     json.count("local_lines", s.solution.local_lines);
     json.count("global_lines", s.solution.global_lines);
@@ -173,14 +173,14 @@ JsonObject summary_json(const SolveSummary& s)
     json.number("seconds_to_first_lines", s.seconds_to_first_lines);
     json.number("lines_per_second", lines_per_second(s));
     json.boolean("complete", s.complete);
-    json.count("threads", static_cast<std::uint64_t>(s.options.threads));
+    json.count("threads", static_cast<std::uint64_t>(s.job.options.threads));
     json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
     json.count("all_lines", s.solution.all_lines);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     json.number("relative_standard_error", s.solution.relative_standard_error.value_or(unknown));
-    if (s.options.importance)
+    if (s.job.options.importance)
         json.number("important_relative_standard_error", s.error_of_important().value_or(unknown));
-    json.number("patch_error", s.accuracy.patch_error.value_or(unknown));
+    json.number("patch_error", s.job.accuracy.patch_error.value_or(unknown));
     json.number("error", s.error().value_or(unknown));
     return json;
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "commands/solve/accuracy.h"
+#include "commands/solve/solve_job.h"
 #include "export/json.h"
 #include "radiosity/run/solution.h"
-#include "radiosity/run/solve_options.h"
 #include "scene/scene.h"
 
 #include <optional>
@@ -14,11 +13,9 @@ namespace multipath {
 /// Figures of a finished `solve`.
 struct SolveSummary
 {
+    const SolveJob& job;
     const Scene& scene;
-    const SolveOptions& options;
     const Solution& solution;
-    std::string sequence; ///< full name
-    Accuracy accuracy{};
     double seconds = 0.0;                ///< [s] from start to end, outputs included
     double seconds_trace = 0.0;          ///< [s] time of the solver alone
     double seconds_outputs = 0.0;        ///< [s] time of making and writing the outputs
@@ -31,7 +28,7 @@ struct SolveSummary
     std::optional<double> error() const;
 
     /// [1] Root of the MSE by noise of the important patches, relative to their mean radiosity; both are weighted by
-    /// options.importance and area. Empty without importance or standard errors.
+    /// the importance and area. Empty without importance or standard errors.
     std::optional<double> error_of_important() const;
 };
 

@@ -1,5 +1,6 @@
 #include "commands/solve/solve_summary.h"
 
+#include "commands/commands.h"
 #include "scene/daylight.h"
 #include "test_scenes.h"
 
@@ -16,6 +17,12 @@ using namespace multipath;
 
 namespace {
 
+/// A job with default options.
+SolveJob job_of(const Accuracy& accuracy = {})
+{
+    return {CommandLine(solve_command().table, {"room.obj"}), {}, accuracy, {}, "sobol"};
+}
+
 /// The summary of a run in a cube of this reflectance, of which so much of 1 W is unshot and so much lost behind
 /// surfaces.
 std::string summary_of(double unshot, double behind, double rho = 0.5, const Accuracy& accuracy = {},
@@ -23,7 +30,7 @@ std::string summary_of(double unshot, double behind, double rho = 0.5, const Acc
 {
     SceneBuilder builder;
     const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(rho, 1.0)).scene(1.0);
-    const SolveOptions options;
+    const SolveJob job = job_of(accuracy);
     const auto grey = [](double power) { return Rgb{power, power, power}; };
     Solution solution;
     solution.global_lines = 1000;
@@ -35,7 +42,7 @@ std::string summary_of(double unshot, double behind, double rho = 0.5, const Acc
     solution.balance.absorbed = grey(1.0 - unshot - behind);
     solution.relative_standard_error = noise;
     solution.replicates = 4;
-    return summary_text({scene, options, solution, "sobol", accuracy});
+    return summary_text({job, scene, solution});
 }
 
 bool warns(const std::string& text, const char* of)
@@ -83,12 +90,12 @@ TEST_CASE("the error of what is important counts patches by their area")
     builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, paint);
     builder.rectangle({0, 0, 1}, {0, 1, 0}, {3, 0, 0}, paint);
     const Scene scene = builder.scene(10.0);
-    SolveOptions options;
-    options.importance = std::make_shared<const Importance>(Importance{{1.0, 1.0}});
+    SolveJob job = job_of();
+    job.options.importance = std::make_shared<const Importance>(Importance{{1.0, 1.0}});
     Solution solution;
     solution.radiosity = {{1, 1, 1}, {1, 1, 1}};
     solution.standard_error = {{0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}};
-    CHECK(SolveSummary{scene, options, solution, "sobol"}.error_of_important() == doctest::Approx(std::sqrt(0.07)));
+    CHECK(SolveSummary{job, scene, solution}.error_of_important() == doctest::Approx(std::sqrt(0.07)));
 }
 
 TEST_CASE("the sky has no part in the mean reflectance that is told")
@@ -97,10 +104,10 @@ TEST_CASE("the sky has no part in the mean reflectance that is told")
     SceneFile file = builder.rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, builder.grey(0.25, 0.0)).file();
     add_sky(file, {1, 1, 1});
     const Scene scene(file, 1.0);
-    const SolveOptions options;
+    const SolveJob job = job_of();
     Solution solution;
     solution.radiosity.resize(scene.patch_count());
-    const std::string json = summary_json({scene, options, solution, "sobol"}).document();
+    const std::string json = summary_json({job, scene, solution}).document();
     CHECK(std::strtod(json.substr(json.find("\"average_reflectance\": ") + 23).c_str(), nullptr) ==
           doctest::Approx(0.25));
 }
