@@ -94,9 +94,8 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     std::string text;
     text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
     text += "  Phi_T  power of the sources      " + power_text(scene.source_power(), scene.file(), 6) + "\n";
-    text += format("  n_int  per line through the hull %.4f (measured %.4f); through the sphere %.4f (%.4f)\n",
-                   r.intersections_per_hull_line, r.intersections_per_hull_line_measured,
-                   r.intersections_per_sphere_line, r.intersections_per_sphere_line_measured);
+    text += format("  n_int  per line through the hull %.4f (measured %.4f)\n", r.intersections_per_hull_line,
+                   r.intersections_per_hull_line_measured);
     text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
                    r.direct.effective_fraction);
     text += format("  R_s'   reflectance of lit area   %.4f\n", r.direct.secondary_reflectance);
@@ -134,25 +133,21 @@ std::string report_text(const Scene& scene, const SceneReport& report, const std
 
 JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vector<Finding>& findings)
 {
-    const auto vector = [](Vec3 v) { return std::vector<double>{v.x, v.y, v.z}; };
-    const auto rgb = [](Rgb c) { return std::vector<double>{c.r, c.g, c.b}; };
     JsonObject json;
     json.text("scene", scene.path());
     json.count("surfaces", scene.own_surfaces());
     json.count("patches", scene.patch_count());
     json.number("patch_size", scene.patch_size());
-    json.numbers("bounds_low", vector(scene.own_bounds().low));
-    json.numbers("bounds_high", vector(scene.own_bounds().high));
+    json.numbers("bounds_low", scene.own_bounds().low);
+    json.numbers("bounds_high", scene.own_bounds().high);
     json.number("area_m2", scene.own_area());
     json.number("hull_area_m2", r.hull_area);
     json.number("average_reflectance", r.figures.average_reflectance);
-    json.numbers("average_reflectance_rgb", rgb(scene.average_reflectance()));
+    json.numbers("average_reflectance_rgb", scene.average_reflectance());
     json.number("source_power_w", mean(scene.source_power()));
-    json.numbers("source_power_rgb_w", rgb(scene.source_power()));
+    json.numbers("source_power_rgb_w", scene.source_power());
     json.number("intersections_hull", r.intersections_per_hull_line);
     json.number("intersections_hull_measured", r.intersections_per_hull_line_measured);
-    json.number("intersections_sphere", r.intersections_per_sphere_line);
-    json.number("intersections_sphere_measured", r.intersections_per_sphere_line_measured);
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("lit_fraction_effective", r.direct.effective_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
@@ -168,7 +163,7 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
         JsonObject object;
         object.text("material", e.material->name);
         object.number("power_w", mean(e.power()));
-        object.numbers("power_rgb_w", rgb(e.power()));
+        object.numbers("power_rgb_w", e.power());
         object.number("area_m2", e.area);
         object.text("faces", facing_text(e));
         emitter_list.push_back(object);

@@ -122,8 +122,8 @@ std::string means_text(double mean_a, double mean_b)
 }
 
 /// The members that both reports have. `area`: [m^2]; means: radiosity [W/m^2].
-JsonObject common_json(const PatchTable& a, const PatchTable& b, double area, double relative_square, double root,
-                       double mean_a, double mean_b)
+JsonObject common_json(const PatchTable& a, const PatchTable& b, double area, double relative_square, double mean_a,
+                       double mean_b)
 {
     JsonObject json;
     json.text("result", a.path);
@@ -131,10 +131,8 @@ JsonObject common_json(const PatchTable& a, const PatchTable& b, double area, do
     json.count("patches", a.areas.size());
     json.number("area_m2", area);
     json.number("relative_mean_square_error", relative_square);
-    json.number("relative_root_mean_square_error", root);
     json.number("mean_radiosity", mean_a);
     json.number("reference_mean_radiosity", mean_b);
-    json.number("mean_radiosity_difference", (mean_a - mean_b) / mean_b);
     return json;
 }
 
@@ -152,7 +150,7 @@ std::string report_text(const Comparison& c)
 JsonObject report_json(const Comparison& c)
 {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
-    JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.root(), c.mean_a, c.mean_b);
+    JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.mean_a, c.mean_b);
     json.number("mean_square_error", c.error.mean_square);
     json.number("expected_relative_mean_square_error", c.expected_a.value_or(unknown));
     json.number("reference_expected_relative_mean_square_error", c.expected_b.value_or(unknown));
@@ -179,7 +177,7 @@ std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownErro
 /// The report as JSON.
 JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError& e)
 {
-    JsonObject json = common_json(a, b, e.area, e.relative_mean_square, e.root(), e.mean_shown, e.mean_true);
+    JsonObject json = common_json(a, b, e.area, e.relative_mean_square, e.mean_shown, e.mean_true);
     json.count("reference_patches", b.areas.size());
     json.count("points", e.points);
     json.number("relative_mean_square_error_error", e.standard_error);

@@ -27,11 +27,6 @@ by_hand() {
 }
 check "the report has the numbers that a hand computes" by_hand
 
-# The difference that is told is that of the two means that are told.
-differs_by_its_means() {
-    tr -d ',' <out | awk '/^ *"mean_radiosity":/ { a = $2 } /"reference_mean_radiosity":/ { b = $2 } /"mean_radiosity_difference":/ { d = $2 - (a / b - 1) } END { exit !(a > 0 && a != b && d * d < 1e-18) }'
-}
-
 # What another program writes: patches and radiosities, grey or in colour, with standard errors or without.
 foreign() {
     printf 'patch,radiosity\n0,10\n1,3\n' >grey.csv && printf '# mine\nradiosity_b,patch,radiosity_r,radiosity_g\n10,0,10,10\n3,1,3,3\n' >colour.csv &&
@@ -101,8 +96,7 @@ check "the errors of independent replicates explain how they differ" independent
 json() {
     ends 0 compare a.csv b-one.csv --json && silent err && for line in '"result": "a.csv"' '"reference": "b-one.csv"' \
         '"patches": 2' '"area_m2": 4' '"mean_square_error": 1.75' '"relative_mean_square_error": 0.07' \
-        '"relative_root_mean_square_error": 0.264575' \
-        '"mean_radiosity": 4.75' '"reference_mean_radiosity": 5' '"mean_radiosity_difference": -0.05' \
+        '"mean_radiosity": 4.75' '"reference_mean_radiosity": 5' \
         '"expected_relative_mean_square_error": null' '"reference_expected_relative_mean_square_error": 0.04' \
         '"measured_over_expected": 1.75'; do
         says out "$line" || return
@@ -170,7 +164,7 @@ shown() {
         "$program" solve "$scene" --patch-size $size --lines 2^15 --quiet -o size-$size.state || return
     done
     for size in 1 0.5; do
-        ends 0 compare size-$size.state size-0.2.state --points 1000 --json && differs_by_its_means || return
+        ends 0 compare size-$size.state size-0.2.state --points 1000 --json || return
         sed -n 's/.*"relative_mean_square_error": \([-0-9.e]*\).*/\1/p' out >>shown_errors
     done
     awk 'NR == 1 { coarse = $1 } END { exit !(NR == 2 && coarse < 0.2 && $1 > 1e-4 && 2 * $1 < coarse) }' shown_errors ||
