@@ -1,5 +1,5 @@
 // The plot is drawn in decimal logarithms: plotted_curve() converts the points, error bars and power law of each curve,
-// plot_of() chooses the ranges of the axes, and the rest writes SVG: grid, reference, guides, curves, axes, legend and
+// plot_of() chooses the ranges of the axes, and the rest writes SVG: grid, guides, curves, axes, legend and
 // notes, from back to front.
 
 #include "study/convergence_plot.h"
@@ -35,8 +35,6 @@ constexpr double character_width = 6.6; ///< upper bound of the mean in a font o
 
 constexpr const char* line_grey = "#808080";
 constexpr const char* label_grey = "#555555";
-
-const LineStyle reference_style = {line_grey, 1.2, "6 4"};
 
 struct Extent
 {
@@ -112,19 +110,11 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
     return result;
 }
 
-/// Decimal logarithm of the error of the reference.
-std::optional<double> reference_level(const Study& study)
-{
-    const double square = study.reference_relative_square.value_or(0.0);
-    return square > 0.0 ? std::optional<double>(elementary::log10(square)) : std::nullopt;
-}
-
 /// The ranges of the points with their error bars.
 struct Ranges
 {
     Extent across;
     Extent up;
-    Extent above_steeper; ///< height at x = 0 of a steeper guide through the upper end of a bar
 };
 
 Ranges ranges_of(const std::vector<PlottedCurve>& curves)
@@ -135,34 +125,26 @@ Ranges ranges_of(const std::vector<PlottedCurve>& curves)
             ranges.across.include(point.middle.x);
             ranges.up.include(point.middle.y);
             ranges.up.include(point.high);
-            ranges.above_steeper.include(point.high + guide_slopes.back() * point.middle.x);
         }
     return ranges;
 }
 
-/// The common left end of the guides: at the leftmost point, so high that the steeper guide passes above all points,
-/// but not more than about a decade above the highest. Nothing without points.
-std::optional<PlotPoint> guides_begin(const Ranges& ranges)
+/// The common left end of the guides: so high that the steeper one passes above all points of a curve of slope -1.
+PlotPoint guides_begin(const Ranges& ranges)
 {
-    if (ranges.across.empty())
-        return {};
-    const double left = ranges.across.low;
-    const double least = ranges.above_steeper.high - guide_slopes.back() * left;
-    const double room = std::max(0.2, 0.08 * (ranges.up.high - ranges.up.low)); // [decades] for the labels
-    return PlotPoint{left, std::min(least, ranges.up.high + 1.0) + room};
+    constexpr double room = 0.3; // [decades] for the labels
+    const double drop = (guide_slopes.back() - 1.0) * (ranges.across.high - ranges.across.low);
+    return {ranges.across.low, ranges.up.high + drop + room};
 }
 
-Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, std::optional<double> reference,
-             std::optional<PlotPoint> guides, Abscissa against)
+Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, Abscissa against)
 {
     Extent& up = ranges.up;
+    if (!up.empty())
+        up.include(guides_begin(ranges).y);
     for (const PlottedCurve& curve : curves)
         for (const PlotPoint end : curve.line)
             up.include(end.y);
-    if (reference && *reference > up.low - 1.0 && *reference < up.high + 1.0)
-        up.include(*reference);
-    if (guides)
-        up.include(guides->y);
     const char* name = against == Abscissa::lines ? "lines" : "processor time on one thread [s]";
     return {plot_left,
             plot_top,
@@ -205,16 +187,15 @@ std::vector<SvgPoint> positions(const Plot& plot, const PlottedCurve& curve, boo
     return result;
 }
 
-/// The error bars that are not hidden by their marks, cut off at the frame.
-std::vector<VerticalBar> visible_bars(const Plot& plot, const PlottedCurve& curve)
+/// The error bars, cut off at the frame.
+std::vector<VerticalBar> error_bars(const Plot& plot, const PlottedCurve& curve)
 {
     std::vector<VerticalBar> bars;
     for (const PlottedPoint& bar : curve.points) {
         const auto [x, y] = plot.at(bar.middle);
         const double top = plot.at({bar.middle.x, bar.high}).y;
         const double bottom = std::min(plot.at({bar.middle.x, bar.low}).y, plot.top + plot.height);
-        if (std::max(y - top, bottom - y) > 1.5 * mark_radius)
-            bars.push_back({x, top, bottom});
+        bars.push_back({x, top, bottom});
     }
     return bars;
 }
@@ -230,35 +211,20 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
             lines += svg_polyline(positions(plot, curve, true), {colour, 1.2, "1 3"});
         else if (!curve.line.empty())
             lines += svg_polyline({plot.at(curve.line.front()), plot.at(curve.line.back())}, {colour, 1.2});
-        lines += svg_bars(visible_bars(plot, curve), {colour, 1.2});
+        lines += svg_bars(error_bars(plot, curve), {colour, 1.2});
         marks += svg_marks(positions(plot, curve, false), curve.style, true) +
                  svg_marks(positions(plot, curve, true), curve.style, false);
     }
     return lines + marks;
 }
 
-/// True if the fit uses all points, or none.
-bool are_all(const PlottedCurve& curve, bool fitted)
-{
-    return std::all_of(curve.points.begin(), curve.points.end(),
-                       [&](const PlottedPoint& point) { return point.fitted == fitted; });
-}
-
 /// Notes that explain the symbols of the plot.
-std::vector<std::string> notes_of(const Study& study, const std::vector<PlottedCurve>& curves)
+std::vector<std::string> notes_of(const Study& study)
 {
-    const auto any = [&](auto holds) { return std::any_of(curves.begin(), curves.end(), holds); };
-    std::string note = study.executions == 1 ? "Each point: one execution."
-                                             : "Each point: mean of " + std::to_string(study.executions) +
-                                                   " executions; bars: its standard error.";
-    if (any([](const PlottedCurve& curve) { return curve.law.has_value(); }))
-        note += " \u00b1 after a slope: 95 % interval.";
-    std::vector<std::string> notes = {note};
-    if (any([](const PlottedCurve& curve) { return !curve.law.has_value(); }))
-        notes.push_back("No slope: the points are too few or too close.");
-    if (any([](const PlottedCurve& curve) { return !are_all(curve, true); }))
-        notes.push_back("Hollow: the reference's own error is not small beside it; left out of the fit.");
-    return notes;
+    return {"Points: means of executions (" + std::to_string(study.executions) +
+                "); bars: their standard errors. \u00b1 after a slope: 95 % interval.",
+            "Hollow: the reference's own error is not small beside it; left out of the fit.",
+            "No slope: the points are too few or too close."};
 }
 
 /// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
@@ -269,8 +235,8 @@ std::string slope_text(const std::optional<PowerLaw>& law)
     return "slope " + slope_words(law, exponent_interval(*law) < 0.01 ? 3 : 2);
 }
 
-/// The legend: a row with mark, label and slope for each curve, then one for the reference.
-std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vector<std::string>& labels, bool reference)
+/// The legend: a row with mark, label and slope for each curve.
+std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vector<std::string>& labels)
 {
     std::size_t longest = 0;
     for (const std::string& label : labels)
@@ -278,20 +244,15 @@ std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vect
     const double label_x = legend_left + sample_width + 6.0;
     const double slope_x = label_x + character_width * static_cast<double>(longest) + 14.0;
     double y = legend_top + 0.7 * row_height;
-    const auto line = [&](const LineStyle& style) {
-        return svg_polyline({{legend_left, y - 4.0}, {legend_left + sample_width, y - 4.0}}, style);
-    };
     std::string text;
     for (std::size_t k = 0; k < curves.size(); ++k, y += row_height) {
         const PlottedCurve& curve = curves[k];
-        text += (curve.law ? line({curve.style.colour, 1.2}) : "") +
-                svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style,
-                          are_all(curve, false) && !curve.points.empty()) +
+        const std::vector<SvgPoint> sample = {{legend_left, y - 4.0}, {legend_left + sample_width, y - 4.0}};
+        text += (curve.law ? svg_polyline(sample, {curve.style.colour, 1.2}) : "") +
+                svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style, false) +
                 svg_text(label_x, y, labels[k], SvgAnchor::start) +
                 svg_text(slope_x, y, slope_text(curve.law), SvgAnchor::start);
     }
-    if (reference)
-        text += line(reference_style) + svg_text(label_x, y, "error of the reference", SvgAnchor::start);
     return text;
 }
 
@@ -307,24 +268,16 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
         labels.push_back(curve_label(study, curve));
     }
     const Ranges ranges = ranges_of(curves);
-    const std::optional<PlotPoint> guides = guides_begin(ranges);
-    std::optional<double> reference = reference_level(study);
-    const Plot plot = plot_of(curves, ranges, reference, guides, against);
-    if (reference && !(*reference > plot.up.low && *reference < plot.up.high))
-        reference.reset();
-    const std::vector<std::string> notes = notes_of(study, curves);
-    double note_y = legend_top + row_height * static_cast<double>(curves.size() + (reference ? 1 : 0)) + 6.0;
+    const Plot plot = plot_of(curves, ranges, against);
+    const std::vector<std::string> notes = notes_of(study);
+    double note_y = legend_top + row_height * static_cast<double>(curves.size()) + 6.0;
     const double height = note_y + note_height * static_cast<double>(notes.size()) + 8.0;
     const double title_size = std::clamp(1.6 * plot_drawing_width / static_cast<double>(title.size() + 1), 8.0, 15.0);
     std::string text = svg_head(plot_drawing_width, height, title, comments) +
                        svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) + svg_grid(plot);
-    if (reference) {
-        const double y = plot.at({0.0, *reference}).y;
-        text += svg_polyline({{plot.left, y}, {plot.left + plot.width, y}}, reference_style);
-    }
-    if (guides)
-        text += guides_text(plot, *guides);
-    text += curves_text(plot, curves) + svg_axes(plot) + legend_text(curves, labels, reference.has_value());
+    if (!ranges.across.empty())
+        text += guides_text(plot, guides_begin(ranges));
+    text += curves_text(plot, curves) + svg_axes(plot) + legend_text(curves, labels);
     for (const std::string& note : notes) {
         text += svg_text(legend_left, note_y + 0.8 * note_height, note, SvgAnchor::start, 11.0, label_grey);
         note_y += note_height;

@@ -3,8 +3,9 @@
 #include "base/elementary.h"
 #include "radiosity/run/statistics.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <tuple>
 
 namespace multipath {
@@ -13,10 +14,7 @@ namespace {
 
 double mean_of(const std::vector<double>& values)
 {
-    double sum = 0.0;
-    for (const double value : values)
-        sum += value;
-    return sum / static_cast<double>(values.size());
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 std::vector<double> logarithms(const std::vector<double>& values)
@@ -25,12 +23,6 @@ std::vector<double> logarithms(const std::vector<double>& values)
     for (const double value : values)
         logs.push_back(elementary::log(value));
     return logs;
-}
-
-bool has_three_different(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return std::unique(values.begin(), values.end()) - values.begin() >= 3;
 }
 
 } // namespace
@@ -42,7 +34,7 @@ double PowerLaw::at(double x) const
 
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::vector<double>& ys)
 {
-    if (!has_three_different(xs))
+    if (std::set<double>(xs.begin(), xs.end()).size() < 3)
         return {};
     const std::vector<double> across = logarithms(xs);
     const std::vector<double> up = logarithms(ys);

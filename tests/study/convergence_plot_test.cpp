@@ -145,7 +145,6 @@ TEST_CASE("points not above the reference are hollow, and the fitted line ends b
     CHECK(hollow[0].x > filled.back().x);
     CHECK(places(lines(svg, blue).at(0)).back().x == filled.back().x);
     CHECK(contains(svg, ">Hollow: "));
-    CHECK_FALSE(contains(plotted(study_of({power_curve(3.0, -1.0, 5)})), "Hollow"));
 }
 
 // The scale is that of the marks: 3 decades of error between the first and the last. Rounding: 0.1 px.
@@ -153,7 +152,6 @@ TEST_CASE("an error bar ends one standard error above and below its point")
 {
     Study study = study_of({power_curve(1.0, -1.0, 4)});
     study.curves[0].points[1].relative_error = 0.4 * study.curves[0].points[1].relative;
-    study.curves[0].points[2].relative_error = 0.01 * study.curves[0].points[2].relative; // hidden by its mark
     const std::string svg = plotted(study);
     const std::vector<Place> marks = filled_marks(svg);
     const double decade = (marks.back().y - marks.front().y) / 3.0;
@@ -161,8 +159,8 @@ TEST_CASE("an error bar ends one standard error above and below its point")
     double top = 0.0;
     double bottom = 0.0;
     const std::string bars = lines(svg, blue).at(1);
-    CHECK(std::count(bars.begin(), bars.end(), 'V') == 1);
-    REQUIRE(std::sscanf(bars.c_str(), "M%lf %lfV%lf", &x, &top, &bottom) == 3);
+    REQUIRE(std::count(bars.begin(), bars.end(), 'V') == 4);
+    REQUIRE(std::sscanf(bars.c_str() + bars.find('M', 1), "M%lf %lfV%lf", &x, &top, &bottom) == 3);
     CHECK(x == marks[1].x);
     CHECK(std::abs(top - (marks[1].y - std::log10(1.4) * decade)) < 0.15);
     CHECK(std::abs(bottom - (marks[1].y - std::log10(0.6) * decade)) < 0.15);
@@ -215,8 +213,7 @@ TEST_CASE("a slope has the half width of its interval, with three decimals where
     CHECK(slope_with(0.25, 0.001) == "slope 0.250 \u00b1 0.002");
 }
 
-// Over four decades the steeper guide begins a decade above a curve of slope -1, which is the most.
-TEST_CASE("the guides and their labels lie above all points, and the labels are apart")
+TEST_CASE("the guides lie above all points of curves of slope -1 or less, and their labels are apart")
 {
     for (const double exponent : {-0.8, -1.0, -1.25, -2.0})
         for (const int count : {3, 4, 5}) {
@@ -257,32 +254,12 @@ TEST_CASE("against seconds the law is fitted to seconds, through the points abov
     CHECK(contains(plotted(study), ">lines<"));
 }
 
-TEST_CASE("the reference's error is a dashed line if at most a decade below the points, and otherwise left out")
-{
-    Study study = study_of({power_curve(1.0, -1.0, 4)}); // down to 1e-6
-    const std::string without = plotted(study);
-    study.reference_relative_square = 3e-7;
-    const std::string near = plotted(study);
-    const std::vector<Place> marks = filled_marks(near);
-    const std::vector<Place> level = places(lines(near, guide).at(0));
-    REQUIRE(level.size() == 2);
-    CHECK(level[0].y == level[1].y);
-    const double decade = (marks.back().y - marks.front().y) / 3.0;
-    CHECK(std::abs(level[0].y - (marks.back().y - std::log10(0.3) * decade)) < 0.15); // roundings to 0.1
-    CHECK(contains(near, ">error of the reference<"));
-    study.reference_relative_square = 0.9e-7;
-    CHECK(plotted(study) == without);
-    study.reference_relative_square = 0.0;
-    CHECK(plotted(study) == without);
-}
-
 TEST_CASE("everything stays inside the drawing")
 {
     for (const int count : {1, 2, 6, 12}) {
         Study study;
         for (int k = 0; k < count; ++k)
             study.curves.push_back(power_curve(100.0 * std::pow(0.4, k), -1.0 - 0.02 * k, 5));
-        study.reference_relative_square = 1e-8;
         const std::string svg = plotted(study);
         double width = 0.0;
         double height = 0.0;
