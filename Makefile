@@ -81,7 +81,7 @@ paper: $(PROGRAM)
 results: paper
 	@mkdir -p docs/results
 	cp $(BUILD)/paper/*.svg $(BUILD)/paper/*.png docs/results
-	sed 's/^!\[\([^]]*\)\](/&results\//' $(BUILD)/paper/results.md > docs/results.md
+	sed -f docs/builders/results.sed $(BUILD)/paper/index.html > docs/results.md
 
 pictures: $(PROGRAM)
 	BUILD=$(BUILD) RENEW=yes sh tests/documented_commands.sh $(PROGRAM) docs/gallery.md docs/method.md docs/beyond.md

@@ -2,6 +2,7 @@
 
 #include "cli/options/command_line.h"
 #include "cli/options/help_text.h"
+#include "study/curve.h"
 
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ Command merge_command();
 Command check_command();
 Command compare_command();
 Command study_command();
+/// Carries out a command line of `study` and returns its result.
+Study study_of(const CommandLine& line);
 Command paper_command();
 Command points_command();
 Command explain_command();

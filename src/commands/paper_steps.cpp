@@ -22,8 +22,8 @@ struct Effort
 const Effort full_effort = {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
 const Effort quick_effort = {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
 
-/// Appends the step of a command line whose words are separated by spaces. SCENES and FOLDER stand for the names of
-/// folders, which may contain spaces.
+/// Appends the step of a command line whose words are separated by spaces. FOLDER stands for the name of the folder,
+/// which may contain spaces.
 void add(std::vector<PaperStep>& list, const std::string& command, const std::vector<std::string>& outputs)
 {
     std::istringstream words(command);
@@ -33,7 +33,7 @@ void add(std::vector<PaperStep>& list, const std::string& command, const std::ve
 /// Appends a study with a table and a plot as outputs.
 void add_study(std::vector<PaperStep>& list, const std::string& name, const std::string& words)
 {
-    add(list, "study SCENES/" + words, {name + ".csv", name + ".svg"});
+    add(list, "study " + words, {name + ".csv", name + ".svg"});
 }
 
 /// The patch size that `study` chooses for this scene by default; `solve` would choose adaptive patches.
@@ -49,14 +49,14 @@ void add_sequences(std::vector<PaperStep>& list, const Effort& effort)
     const std::string slopes = lines + effort.slopes_to + replicates;
     add(list, "points --figure 1", {"figure1.svg"});
     add(list, "points --figure 2", {"figure2.svg"});
-    add_study(list, "figure3", "5cubes.obj" + curves + slopes);
-    add_study(list, "figure4", "4chairs.obj" + curves + slopes);
+    add_study(list, "figure3", "5cubes" + curves + slopes);
+    add_study(list, "figure4", "4chairs" + curves + slopes);
     add_study(list, "order",
-              "5cubes.obj --patch-size 0.5 --methods first-shot --sequences " + few +
-                  " --line-orders sequence,shuffled" + lines + effort.order_to + replicates);
-    add_study(list, "pairs", "5cubes.obj --methods first-shot --sequences halton,sobol --pairings 4d,2d" + slopes);
+              "5cubes --patch-size 0.5 --methods first-shot --sequences " + few + " --line-orders sequence,shuffled" +
+                  lines + effort.order_to + replicates);
+    add_study(list, "pairs", "5cubes --methods first-shot --sequences halton,sobol --pairings 4d,2d" + slopes);
     const std::string picture =
-        "solve SCENES/4chairs.obj" + patches_of_4chairs + " --method first-shot --line-order sequence --lines ";
+        "solve 4chairs" + patches_of_4chairs + " --method first-shot --line-order sequence --lines ";
     const std::string flat = " --shading flat --size 400x300";
     add(list, picture + "266000 --sequence random" + flat, {"figure5a.png"});
     add(list, picture + "266000 --sequence halton:11,13,17,19" + flat, {"figure5b.png"});
@@ -70,7 +70,7 @@ void add_shots(std::vector<PaperStep>& list, const Effort& effort)
 {
     const auto picture = [&](const std::string& method, const std::string& file) {
         add(list,
-            "solve SCENES/4chairs-up.obj" + patches_of_4chairs + " --method " + method +
+            "solve 4chairs-up" + patches_of_4chairs + " --method " + method +
                 " --lines 1.5M --sequence random --shading flat --size 400x300",
             {file});
     };
@@ -81,18 +81,16 @@ void add_shots(std::vector<PaperStep>& list, const Effort& effort)
     const std::string random =
         " --sequences random --from 46875 --to " + effort.shots_to + " --replicates " + effort.replicates;
     const std::string all = " --methods first-shot,extended,local" + random;
-    add_study(list, "figure7", "4chairs-up.obj" + all);
-    add_study(list, "figure8", "4chairs-up.obj --methods extended,local" + random);
-    add_study(list, "figure9", "4chairs.obj" + all);
+    add_study(list, "figure7", "4chairs-up" + all);
+    add_study(list, "figure8", "4chairs-up --methods extended,local" + random);
+    add_study(list, "figure9", "4chairs" + all);
 
     const std::string reference =
         patches_of_4chairs + " --method local --sequence random --replicates 4 --lines " + effort.reference_lines;
-    add(list, "solve SCENES/4chairs-up.obj" + reference, {"reference-up.csv"});
-    add(list, "solve SCENES/4chairs.obj" + reference, {"reference-down.csv"});
-    add(list, "study SCENES/4chairs-up.obj" + all + " --reference FOLDER/reference-up.csv", {"figure7-local.csv"});
-    add(list, "study SCENES/4chairs.obj" + all + " --reference FOLDER/reference-down.csv", {"figure9-local.csv"});
-    add(list, "study SCENES/4chairs.obj" + all + " --patch-size 0.5", {"figure9-coarse.csv"});
-    add(list, "study SCENES/4chairs.obj" + all + " --patch-size 0.15", {"figure9-fine.csv"});
+    add(list, "solve 4chairs-up" + reference, {"reference-up.csv"});
+    add(list, "solve 4chairs" + reference, {"reference-down.csv"});
+    add(list, "study 4chairs-up" + all + " --reference FOLDER/reference-up.csv", {"figure7-local.csv"});
+    add(list, "study 4chairs" + all + " --reference FOLDER/reference-down.csv", {"figure9-local.csv"});
 }
 
 /// Line reuse, which goes beyond the paper, against lines and against seconds.
@@ -101,9 +99,9 @@ void add_reuse(std::vector<PaperStep>& list, const Effort& effort)
     const std::string lines =
         " --from " + effort.slopes_from + " --to " + effort.reuse_to + " --replicates " + effort.replicates;
     for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"}) {
-        const std::string curves = scene + ".obj --methods extended,reuse --sequences random,sobol-owen";
+        const std::string curves = scene + " --methods extended,reuse --sequences random,sobol-owen";
         add_study(list, "reuse-" + scene, curves + lines);
-        add(list, "study SCENES/" + curves + " --against seconds" + lines, {"reuse-" + scene + "-seconds.svg"});
+        add(list, "study " + curves + " --against seconds" + lines, {"reuse-" + scene + "-seconds.svg"});
     }
 }
 
@@ -119,7 +117,7 @@ std::string typed(const PaperStep& step)
     return text;
 }
 
-std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder)
+std::vector<PaperStep> paper_steps(bool quick, const std::string& folder)
 {
     const Effort& effort = quick ? quick_effort : full_effort;
     std::vector<PaperStep> list;
@@ -128,9 +126,7 @@ std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const 
     add_reuse(list, effort);
     for (PaperStep& step : list)
         for (std::string& word : step.words)
-            if (word.rfind("SCENES/", 0) == 0)
-                word.replace(0, 6, scenes);
-            else if (word.rfind("FOLDER/", 0) == 0)
+            if (word.rfind("FOLDER/", 0) == 0)
                 word.replace(0, 6, folder);
     return list;
 }

@@ -18,8 +18,8 @@ struct PaperStep
 std::string typed(const PaperStep& step);
 
 /// The commands for all tables and figures of the paper, and for the results beyond it, in the order in which they must
-/// be run: a later step may read a file that an earlier one has written into `folder`. `scenes` is the folder of the
-/// bundled scenes. The quick set differs from the full one only in the numbers of lines and executions.
-std::vector<PaperStep> paper_steps(bool quick, const std::string& scenes, const std::string& folder);
+/// be run: a later step may read a file that an earlier one has written into `folder`. The scenes are the bundled ones.
+/// The quick set differs from the full one only in the numbers of lines and executions.
+std::vector<PaperStep> paper_steps(bool quick, const std::string& folder);
 
 } // namespace multipath

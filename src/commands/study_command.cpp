@@ -21,7 +21,6 @@
 #include "export/patch_table.h"
 #include "image/checksum.h"
 #include "radiosity/run/statistics.h"
-#include "refinement/shown_error.h"
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
 #include "study/study_table.h"
@@ -233,62 +232,13 @@ std::optional<Reference> kept_reference(const std::string& path, const std::vect
     return reference_of(table, scene);
 }
 
-/// Transfers a radiosity [W/m^2] to coarser patches: the area-weighted mean of the finer patches whose centres lie on
-/// each patch, or its emittance if there are none.
-std::vector<Rgb> averaged(const Scene& finer, const std::vector<Rgb>& radiosity, const Scene& scene)
-{
-    std::vector<Rgb> power(scene.patch_count());
-    std::vector<double> area(scene.patch_count());
-    for (std::uint32_t k = 0; k < finer.patch_count(); ++k) {
-        const std::uint32_t surface = finer.surface_of(k);
-        const CellCorners corners = finer.corners(k);
-        const auto share = 1.0 / static_cast<double>(corners.count);
-        double u = 0.0;
-        double v = 0.0;
-        for (const GridPoint point : corners) {
-            u += share * point.i / finer.tessellation(surface).grid_u();
-            v += share * point.j / finer.tessellation(surface).grid_v();
-        }
-        const std::uint32_t i = scene.patch_at(surface, u, v, finer.is_front(k));
-        power[i] += finer.area(k) * radiosity[k];
-        area[i] += finer.area(k);
-    }
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        power[i] = area[i] > 0.0 ? 1.0 / area[i] * power[i] : scene.emittance(i);
-    return power;
-}
-
-/// A reference for the total error, of patches and noise: at points, the shown radiosity is compared with light
-/// gathered from a result with other patches.
-Reference total_reference(ResultFile finer, const Scene& scene, int threads)
-{
-    constexpr std::uint64_t points = 10000;
-    constexpr int rays = 256; // for each of two estimates at a point
-    const std::vector<Rgb> guide = averaged(*finer.scene, finer.table.radiosity, scene);
-    const Truth truth = precomputed_truth(
-        scene, guide, gathered_truth(*finer.scene, finer.table.radiosity, rays, threads), points, threads);
-    Reference reference;
-    reference.radiosity = std::move(finer.table.radiosity);
-    reference.measure = [&scene, truth, guide](const std::vector<Rgb>& radiosity) -> ErrorMeasure {
-        const ShownError error = shown_error(scene, radiosity, guide, truth, points, 1);
-        // The estimate of a small mean square may be negative, which has no logarithm.
-        const double relative = std::max(error.relative_mean_square, 0.1 * error.standard_error);
-        return {relative * error.mean_true * error.mean_true, relative};
-    };
-    return reference;
-}
-
 /// The result that --reference names; or the one in the cache, if a program from the same sources has kept it; or a new
-/// solution with 16 times the lines of the plan's last point, which is then kept. Throws InputError for a table of
-/// another scene.
+/// solution with 16 times the lines of the plan's last point, which is then kept. Throws InputError for a result
+/// with other patches.
 Reference study_reference(const CommandLine& line, const Scene& scene, const StudyPlan& plan, const std::string& cache)
 {
-    if (line.has("reference")) {
-        ResultFile given(line.text("reference"));
-        if (given.has_other_patches(scene))
-            return total_reference(std::move(given), scene, thread_count(line));
-        return reference_of(given.table, scene);
-    }
+    if (line.has("reference"))
+        return reference_of(ResultFile(line.text("reference")).table, scene);
     const CommandLine command = reference_command(line, plan.line_counts.back());
     std::vector<std::string> facts = provenance(command, scene);
     const std::string path = cache + format("/reference-%08x.csv", crc32(join(facts, "; ")));
@@ -343,10 +293,13 @@ std::vector<Curve> other_curves(const std::vector<std::string>& paths)
 
 std::string plot_title(const Scene& scene)
 {
-    return scene.path() + ", " + std::to_string(scene.patch_count()) + " patches";
+    return std::filesystem::path(scene.path()).filename().string() + ", " + std::to_string(scene.patch_count()) +
+           " patches";
 }
 
-int run_study_command(const CommandLine& line)
+} // namespace
+
+Study study_of(const CommandLine& line)
 {
     const StudyPlan plan = read_plan(line);
     const int threads = thread_count(line);
@@ -378,10 +331,8 @@ int run_study_command(const CommandLine& line)
     commit(outputs);
     if (!line.has("quiet") || paths.empty())
         print(plot_title(scene) + "\n" + study_text(study));
-    return 0;
+    return study;
 }
-
-} // namespace
 
 Command study_command()
 {
@@ -408,14 +359,17 @@ Command study_command()
             {"replicates", 0, "R", "4",
              "Runs of which each point is the mean, with different seeds or parts of the sequence."},
             {"reference", 0, "FILE", "",
-             "Measure the error against this result of solve, a table of patches or a state; against one with much "
-             "smaller patches as 'compare' does. By default a reference with 16 times the lines is computed."}}},
+             "Measure the error against this result of solve with the same patches, a table or a state. By default a "
+             "reference with 16 times the lines is computed."}}},
           {"Every run", run_options()},
           scene_option_group()},
          "Seconds are processor time of one thread; --threads runs are executed at the same time.\n"
          "\n"
          "  multipath study scenes/5cubes.obj --methods first-shot,reuse --sequences random,sobol -o study.svg\n"},
-        run_study_command};
+        [](const CommandLine& line) {
+            study_of(line);
+            return exit_done;
+        }};
 }
 
 } // namespace multipath

@@ -234,15 +234,6 @@ Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int 
     };
 }
 
-Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
-                        int threads)
-{
-    const auto known = std::make_shared<std::vector<TruthAtPoint>>(static_cast<std::size_t>(points));
-    const Truth keep = [&](const Hit& hit, std::uint64_t number) { return (*known)[number] = truth(hit, number); };
-    (void)shown_error(scene, guide, guide, keep, points, threads);
-    return [known](const Hit&, std::uint64_t number) { return (*known)[number]; };
-}
-
 ShownError patch_error(const Scene& scene, double enough, double memory, int threads, const ProgressCallback& progress)
 {
     constexpr std::uint64_t lines_per_patch = 64;

@@ -62,11 +62,6 @@ ShownError shown_error(const Scene& scene, const std::vector<Rgb>& radiosity, co
 /// scene `finer` must outlive the result.
 Truth gathered_truth(const Scene& finer, const std::vector<Rgb>& radiosity, int rays, int threads);
 
-/// A table of the truth at the sample points of shown_error(), to compare many results of one scene with the same
-/// truth. It is valid only for calls of shown_error() with the same scene, guide and number of points.
-Truth precomputed_truth(const Scene& scene, const std::vector<Rgb>& guide, const Truth& truth, std::uint64_t points,
-                        int threads);
-
 /// Discretisation error, the part of the error that more lines do not reduce. Two independent solutions by line reuse
 /// give two deviations at each point: smooth shading minus final gathering from the same solution. The noise of the
 /// lines adds nothing to the mean of their product. Not included are the errors of the light that is looked up; their

@@ -171,9 +171,7 @@ CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& 
     const Solution solution = solve(scene, curve.preparation, options, progress);
     CurvePoint point{run.lines};
     point.seconds = curve.seconds + (thread_seconds() - start);
-    const ErrorMeasure error = reference.measure
-                                   ? reference.measure(solution.radiosity)
-                                   : measure_error(scene.weights(), solution.radiosity, reference.radiosity);
+    const ErrorMeasure error = measure_error(scene.weights(), solution.radiosity, reference.radiosity); // (1)
     point.local_lines = static_cast<double>(solution.local_lines);
     point.global_lines = static_cast<double>(solution.global_lines);
     point.mean_square = error.mean_square;

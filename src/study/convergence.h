@@ -1,12 +1,10 @@
 #pragma once
 
 #include "radiosity/run/solve.h"
-#include "radiosity/run/statistics.h"
 #include "study/curve.h"
 
 #include <cstdint>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -55,9 +53,6 @@ struct Reference
     std::vector<Rgb> radiosity; ///< [W/m^2] per patch
     /// [1] Relative MSE of the reference itself, estimated from its standard errors; nothing if unknown.
     std::optional<double> relative_square;
-    /// Measures the error of a solution, given its radiosity [W/m^2] per patch. If empty, the error is the MSE against
-    /// `radiosity`, (1) in docs/equations.md. Called by several threads at the same time.
-    std::function<ErrorMeasure(const std::vector<Rgb>& radiosity)> measure{};
 };
 
 /// A curve to be measured. The options hold for all its runs, except that each run has its own lines, seed and range of

@@ -24,151 +24,33 @@ figure svg, figure img { max-width: 100%; height: auto; background: #fff; }
 figcaption, th, details { color: #66645e; font-size: .9rem; }
 )";
 
-/// Replaces each pair of a mark by the tags of an element.
-std::string tagged(const std::string& text, char mark, const std::string& element)
-{
-    std::string result;
-    std::size_t from = 0;
-    for (;;) {
-        const std::size_t open = text.find(mark, from);
-        const std::size_t close = open == std::string::npos ? open : text.find(mark, open + 1);
-        if (close == std::string::npos)
-            return result + text.substr(from);
-        result += text.substr(from, open - from) + "<" + element + ">" + text.substr(open + 1, close - open - 1) +
-                  "</" + element + ">";
-        from = close + 1;
-    }
-}
-
-std::string marked_up(const std::string& text)
-{
-    return tagged(tagged(html_escaped(text), '`', "code"), '*', "em");
-}
-
-std::string html_row(const std::vector<std::string>& cells, const std::string& tag)
+/// A row of a table: its cells as `tag`, th or td.
+std::string row_of(const std::vector<std::string>& cells, const std::string& tag)
 {
     std::string html = "<tr>";
     for (const std::string& cell : cells)
-        html += "<" + tag + ">" + marked_up(cell) + "</" + tag + ">";
+        html += "<" + tag + ">" + cell + "</" + tag + ">";
     return html + "</tr>\n";
 }
 
-std::string html_figure(const ReportFigure& figure, const std::string& folder)
-{
-    std::string drawing = bytes_of_file(folder + "/" + figure.file);
-    if (figure.file.rfind(".svg") == std::string::npos)
-        drawing = "<img alt=\"" + html_escaped(figure.caption) + "\" src=\"data:image/png;base64," + base64(drawing) +
-                  "\">\n";
-    return "<figure id=\"" + html_escaped(figure.file) + "\">\n" + drawing + "<figcaption>" +
-           marked_up(figure.caption) + "<details><summary>command</summary><code>" + html_escaped(figure.command) +
-           "</code></details></figcaption>\n</figure>\n";
-}
-
-std::string html_block(const ReportBlock& block, const std::string& folder)
-{
-    if (!block.table.empty()) {
-        std::string html = "<div class=\"wide\"><table>\n";
-        for (std::size_t k = 0; k < block.table.size(); ++k)
-            html += html_row(block.table[k], k == 0 ? "th" : "td");
-        return html + "</table></div>\n";
-    }
-    if (!block.figures.empty()) {
-        std::string html = "<div class=\"figures\">\n";
-        for (const ReportFigure& figure : block.figures)
-            html += html_figure(figure, folder);
-        return html + "</div>\n";
-    }
-    const std::string tag = block.heading > 0 ? "h" + std::to_string(block.heading) + ">" : "p>";
-    return "<" + tag + marked_up(block.text) + "</" + tag + "\n";
-}
-
-/// A row of a table in Markdown: vertical bars in cells are escaped.
-std::string markdown_row(const std::vector<std::string>& cells)
-{
-    std::string text;
-    for (const std::string& cell : cells) {
-        text += "| ";
-        for (const char c : cell)
-            text += c == '|' ? "\\|" : std::string(1, c);
-        text += " ";
-    }
-    return text + "|\n";
-}
-
-std::string markdown_block(const ReportBlock& block)
-{
-    std::string text;
-    if (!block.table.empty()) {
-        const std::vector<std::string> rule(block.table[0].size(), "---");
-        text = markdown_row(block.table[0]) + markdown_row(rule);
-        for (std::size_t k = 1; k < block.table.size(); ++k)
-            text += markdown_row(block.table[k]);
-        return text + "\n";
-    }
-    for (const ReportFigure& figure : block.figures)
-        text += "![" + figure.file + "](" + figure.file + ")\n\n" + figure.caption + "\n\n```console\n" +
-                figure.command + "\n```\n\n";
-    if (!block.figures.empty())
-        return text;
-    if (block.heading > 0)
-        text = std::string(static_cast<std::size_t>(block.heading), '#') + " ";
-    return text + block.text + "\n\n";
-}
-
-} // namespace
-
-std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments)
-{
-    std::string title = "multipath";
-    std::string body;
-    for (const ReportBlock& block : report) {
-        if (block.heading == 1)
-            title = block.text;
-        body += html_block(block, folder);
-    }
-    std::string record;
-    for (const std::string& comment : comments)
-        record += "  " + html_record_line(comment);
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
-           "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-           record + "  <title>" + html_escaped(title) + "</title>\n  <style>" + style + "</style>\n</head>\n<body>\n" +
-           body + "</body>\n</html>\n";
-}
-
-std::string report_markdown(const Report& report, const std::vector<std::string>& comments)
-{
-    std::string text;
-    for (const ReportBlock& block : report)
-        text += markdown_block(block);
-    text += "---\n\n";
-    for (const std::string& comment : comments)
-        text += "    " + comment + "\n"; // indented as code, so that nothing in it is taken for Markdown
-    return text;
-}
-
-namespace {
+/// Rows of cells, the first of which is the header. All have the same number of cells.
+using ReportTable = std::vector<std::vector<std::string>>;
 
 /// Builds the report, section by section.
 class PaperReport
 {
 public:
-    explicit PaperReport(const PaperFindings& findings) : f_(findings) {}
+    PaperReport(const PaperFindings& findings, const std::string& folder) : f_(findings), folder_(folder) {}
 
     void opening()
     {
         heading(1, "Quasi-Monte Carlo lines and the extended first shot, reproduced");
-        text("Every table and figure of F. Castro, R. Martínez, M. Sbert: *Quasi Monte-Carlo and extended first shot "
-             "improvements to the multi-path method for radiosity* (1998), and what `multipath` adds to them. Each "
-             "figure names the command that makes it.");
+        text("Every table and figure of F. Castro, R. Martínez, M. Sbert: <em>Quasi Monte-Carlo and extended first "
+             "shot improvements to the multi-path method for radiosity</em> (1998), and what <code>multipath</code> "
+             "adds to them. Each figure names the command that makes it.");
         text("The paper's scenes were never published. The bundled ones match what it states of them: the number and "
              "kind of things in the room, and the figures that formula (3) takes. So orderings, slopes and ratios can "
              "be compared; absolute errors cannot.");
-        ReportTable facts = {{"this run", ""},
-                             {"set", f_.quick ? "quick: few lines, 3 executions for every point"
-                                              : "full: the paper's numbers of lines, 6 executions for every point"}};
-        for (const std::string& fact : f_.facts)
-            facts.push_back({fact.substr(0, fact.find(": ")), fact.substr(fact.find(": ") + 2)});
-        table(facts);
     }
 
     void claims()
@@ -176,8 +58,7 @@ public:
         heading(2, "In short");
         ReportTable claims = {{"statement", "paper", "here", ""}};
         for (const Claim& claim : paper_claims(f_))
-            claims.push_back({claim.statement, claim.expected, claim.found,
-                              claim.verdict == Verdict::differs ? "*differs*" : verdict_word(claim.verdict)});
+            claims.push_back({claim.statement, claim.expected, claim.found, verdict_word(claim.verdict)});
         table(claims);
         text("Slopes are given with half the width of their 95 % interval (Student's t over the scatter of the points "
              "about the line), ratios with their standard error over the executions. A statement is undecided if the "
@@ -192,14 +73,13 @@ public:
         for (const SceneFindings* scene : {&f_.five_cubes, &f_.four_chairs, &f_.four_chairs_up})
             scenes.push_back(budget_row(scene->name, grouped(scene->patches), scene->report.figures,
                                         scene->report.ratio_first_shot, scene->report.ratio_extended, 3));
-        for (const auto& [name, budget] :
-             {std::pair{"*paper, lit downwards*", published_down}, {"*paper, lit upwards*", published_up}})
+        for (const auto& [name, budget] : {std::pair{"<em>paper, lit downwards</em>", published_down},
+                                           {"<em>paper, lit upwards</em>", published_up}})
             scenes.push_back(budget_row(name, "", budget.figures, budget.ratio, published_extended.ratio, 2));
         table(scenes);
-        text(
-            "R_ave is the mean reflectance, n_int the number of surfaces that a line through the convex hull of the "
-            "scene crosses, f the share of the area that the lamp lights, R_s' the mean reflectance of what it lights. "
-            "The paper prints no such figures for 5CUBES. `multipath check SCENE` measures them.");
+        text("R_ave is the mean reflectance, n_int the number of surfaces that a line through the convex hull of the "
+             "scene crosses, f the share of the area that the lamp lights, R_s' the mean reflectance of what it "
+             "lights. The paper prints no such figures for 5CUBES. <code>multipath check SCENE</code> measures them.");
     }
 
     void generators()
@@ -213,27 +93,22 @@ public:
         heading(2, "Two items for a line: why it fails");
         figures({{"pairs", "First shot on 5CUBES with one 4-D item or two successive 2-D items for a line."}});
         text("With pairs the two ends of a line are never close to each other, so the lines are not uniform, and the "
-             "error remains however many lines there are: a bias, not noise. The paper calls it “enormous” and goes "
-             "on with 4-D items.");
+             "error remains however many lines there are: a bias, not noise. The paper calls it “enormous” and goes on "
+             "with 4-D items.");
     }
 
     void table_1()
     {
         heading(2, "Table 1, Figures 3 and 4: the error against the number of lines");
-        ReportTable slopes = {{"slope", "5CUBES: paper", "here", "deviation", "4CHAIRS: paper", "here", "deviation"},
-                              slope_row({"random", -1.0, -1.0}, "−1 (theory)")};
+        ReportTable slopes = {{"slope", "5CUBES: paper", "here", "4CHAIRS: paper", "here"},
+                              slope_row({"random", -1.0, -1.0})};
         for (const PublishedSlope& row : published_slopes)
-            slopes.push_back(slope_row(row, ""));
+            slopes.push_back(slope_row(row));
         table(slopes);
         figures({{"figure3", "Figure 3. 5CUBES."}, {"figure4", "Figure 4. 4CHAIRS."}});
-        text(
-            "The grey lines have the slopes −1, that of random sampling, and −1.25, which well-spread points reach on "
-            "a "
-            "function with jumps, such as visibility, in four dimensions. Bars are one standard error of the mean over "
-            "the executions; a hollow mark is too close to the error of the reference to count.");
-        text("*Where it differs.* The paper says neither how many patches its scenes have nor how many executions a "
-             "slope is based on, and prints no intervals. Here, executions of a sequence without a seed take "
-             "successive parts of it.");
+        text("The −1 of random lines is theory. The paper says neither how many patches its scenes have nor how many "
+             "executions a slope is based on, and prints no intervals. Here, executions of a sequence without a seed "
+             "take successive parts of it.");
         order();
     }
 
@@ -245,8 +120,8 @@ public:
                  {"figure5c", "(c) random, 532,000 lines"},
                  {"figure5d", "(d) Halton (11,13,17,19), 532,000 lines"}});
         text("4CHAIRS by first shot and global lines, lit downwards, every patch in its own colour. Look at the floor "
-             "and at the walls behind the "
-             "chairs: the quasi-random pictures have the noise of random ones with more lines.");
+             "and at the walls behind the chairs: the quasi-random pictures have the noise of random ones with more "
+             "lines.");
         heading(2, "Figure 6: little of the scene is lit");
         figures({{"figure6a", "(a) first shot"},
                  {"figure6b", "(b) extended first shot"},
@@ -287,31 +162,48 @@ public:
         table(gains);
         text("The paper's methods forget a line once it has carried power. Line reuse counts which patches the lines "
              "join and then solves a linear system (docs/beyond.md). Its curves fall more steeply than the limit of "
-             "−1.25 "
-             "where "
-             "not only the visibility of each pair but also what is known of its neighbours improves with the lines.");
-        text(
-            "Times are processor time of one thread, what a run computes before its first line included: for line "
-            "reuse the form factors without obstacles, a fixed amount. Against time the curves of line reuse therefore "
-            "begin late and fall at once.");
+             "−1.25 where not only the visibility of each pair but also what is known of its neighbours improves with "
+             "the lines.");
+        text("Times are processor time of one thread, what a run computes before its first line included: for line "
+             "reuse the form factors without obstacles, a fixed amount. Against time the curves of line reuse "
+             "therefore begin late and fall at once.");
     }
 
-    Report report;
+    std::string html;
 
 private:
-    void heading(int level, const std::string& words) { report.push_back({level, words}); }
-    void text(const std::string& words) { report.push_back({0, words}); }
-    void table(const ReportTable& rows) { report.push_back({0, "", rows}); }
+    void heading(int level, const std::string& words)
+    {
+        const std::string tag = "h" + std::to_string(level) + ">";
+        html += "<" + tag + words + "</" + tag + "\n";
+    }
 
-    /// Appends figures: pairs of a file name without extension and a caption.
+    void text(const std::string& words) { html += "<p>" + words + "</p>\n"; }
+
+    void table(const ReportTable& rows)
+    {
+        html += "<div class=\"wide\"><table>\n" + row_of(rows[0], "th");
+        for (std::size_t k = 1; k < rows.size(); ++k)
+            html += row_of(rows[k], "td");
+        html += "</table></div>\n";
+    }
+
+    /// Figures side by side: pairs of a file name without extension and a caption.
     void figures(const std::vector<std::pair<std::string, std::string>>& wanted)
     {
-        std::vector<ReportFigure> row;
+        html += "<div class=\"figures\">\n";
         for (const auto& [name, caption] : wanted) {
-            const std::string file = name + (f_.commands.count(name + ".svg") > 0 ? ".svg" : ".png");
-            row.push_back({file, caption, f_.commands.at(file)});
+            const bool drawing = f_.commands.count(name + ".svg") > 0;
+            const std::string file = name + (drawing ? ".svg" : ".png");
+            const std::string bytes = bytes_of_file(folder_ + "/" + file);
+            html += "<figure id=\"" + file + "\">\n" +
+                    (drawing ? bytes
+                             : "<img alt=\"" + html_escaped(caption) + "\" src=\"data:image/png;base64," +
+                                   base64(bytes) + "\">\n") +
+                    "<figcaption>" + caption + "<details><summary>command</summary><code>" +
+                    html_escaped(f_.commands.at(file)) + "</code></details></figcaption>\n</figure>\n";
         }
-        report.push_back({0, "", {}, row});
+        html += "</div>\n";
     }
 
     /// A row on formula (3); `decimals`: of its result and of R_s' and, but for one, of n_int.
@@ -330,18 +222,13 @@ private:
                 ratio(extended)};
     }
 
-    /// `instead`: text in place of the published slopes; empty: the slopes.
-    std::vector<std::string> slope_row(const PublishedSlope& published, const std::string& instead) const
+    std::vector<std::string> slope_row(const PublishedSlope& published) const
     {
-        std::vector<std::string> row = {published.sequence};
-        for (const auto& [name, printed] :
-             {std::pair{"figure3", published.five_cubes}, {"figure4", published.four_chairs}}) {
-            const auto law = curve_of(f_.study(name), "first-shot", published.sequence).law;
-            row.push_back(instead.empty() ? fixed(printed, 3) : instead);
-            row.push_back(slope_words(law));
-            row.push_back(law ? fixed(law->exponent - printed, 3) : "");
-        }
-        return row;
+        const auto slope = [&](const char* study) {
+            return slope_words(curve_of(f_.study(study), "first-shot", published.sequence).law);
+        };
+        return {published.sequence, fixed(published.five_cubes, 3), slope("figure3"), fixed(published.four_chairs, 3),
+                slope("figure4")};
     }
 
     void order()
@@ -363,11 +250,10 @@ private:
              "what a line of the multi-path walk carries depends on the lines before it. Successive items of a "
              "quasi-random sequence are not independent, so the lines that meet a patch one after the other are "
              "correlated, and the walk converges to something slightly wrong. The fewer the patches, the fewer other "
-             "lines "
-             "come between two that meet the same one, the larger the error, and the earlier the curve flattens; large "
-             "bases, whose digits change slowly, suffer most. It is a bias of the walk, not a matter of discrepancy: "
-             "with the same lines in shuffled order it is gone, and all sequences have nearly the same slope. "
-             "`multipath` shuffles unless told otherwise (line order `sequence`).");
+             "lines come between two that meet the same one, the larger the error, and the earlier the curve flattens; "
+             "large bases, whose digits change slowly, suffer most. It is a bias of the walk, not a matter of "
+             "discrepancy: with the same lines in shuffled order it is gone, and all sequences have nearly the same "
+             "slope. <code>multipath</code> shuffles unless told otherwise (line order <code>sequence</code>).");
     }
 
     ReportTable shot_table() const
@@ -379,7 +265,7 @@ private:
             std::vector<std::string> row = {method};
             for (const char* study : {"figure7", "figure7-local", "figure9", "figure9-local"}) {
                 const CurvePoint& point = curve_of(f_.study(study), method, "random").points.back();
-                row.push_back(scientific(point.relative) + " ± " +
+                row.push_back(format("%.1e", point.relative) + " ± " +
                               fixed(100.0 * point.relative_error / point.relative, 0) + " %");
             }
             table.push_back(row);
@@ -391,19 +277,24 @@ private:
     {
         const Curve& extended = curve_of(f_.study(file), "extended", "sobol-owen");
         const Curve& reuse = curve_of(f_.study(file), "reuse", "sobol-owen");
-        return {name + ", " + grouped(reuse.points.back().lines), scientific(extended.points.back().relative),
-                scientific(reuse.points.back().relative),
+        return {name + ", " + grouped(reuse.points.back().lines), format("%.1e", extended.points.back().relative),
+                format("%.1e", reuse.points.back().relative),
                 fixed(extended.points.back().relative / reuse.points.back().relative, 0), slope_words(reuse.law)};
     }
 
     const PaperFindings& f_;
+    const std::string& folder_;
 };
 
 } // namespace
 
-Report paper_report(const PaperFindings& findings)
+std::string paper_report(const PaperFindings& findings, const std::string& folder,
+                         const std::vector<std::string>& comments)
 {
-    PaperReport paper(findings);
+    std::string record;
+    for (const std::string& comment : comments)
+        record += "  " + html_record_line(comment);
+    PaperReport paper(findings, folder);
     paper.opening();
     paper.claims();
     paper.scenes();
@@ -412,7 +303,10 @@ Report paper_report(const PaperFindings& findings)
     paper.pictures();
     paper.shots();
     paper.beyond();
-    return paper.report;
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
+           "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+           record + "  <title>The multi-path method, reproduced</title>\n  <style>" + style +
+           "</style>\n</head>\n<body>\n" + paper.html + "</body>\n</html>\n";
 }
 
 } // namespace multipath

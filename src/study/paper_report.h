@@ -14,37 +14,6 @@
 
 namespace multipath {
 
-// A report of text, tables and figures, written as one self-contained HTML file or as Markdown that refers to the files
-// of the figures. In headings, paragraphs, cells and captions `...` is code and *...* is emphasis.
-
-/// Rows of cells, the first of which is the header. All have the same number of cells.
-using ReportTable = std::vector<std::vector<std::string>>;
-
-struct ReportFigure
-{
-    std::string file; ///< name of the .svg or .png file in the folder of the report
-    std::string caption;
-    std::string command; ///< command line that made the file
-};
-
-/// A heading, a paragraph, a table, or figures.
-struct ReportBlock
-{
-    int heading = 0; ///< level of the heading: 1 for the title, 2 for a section; 0 for a paragraph
-    std::string text = {};
-    ReportTable table = {};
-    std::vector<ReportFigure> figures = {}; ///< side by side, as many in a row as fit into the width of the page
-};
-
-using Report = std::vector<ReportBlock>;
-
-/// Formats the report as a self-contained HTML page. `folder` is the folder that holds the files of the figures. The
-/// comments go into the head of the page. Throws InputError if the file of a figure cannot be read.
-std::string report_html(const Report& report, const std::string& folder, const std::vector<std::string>& comments);
-
-/// Formats the report as Markdown. The comments are at its end.
-std::string report_markdown(const Report& report, const std::vector<std::string>& comments);
-
 // Numbers printed in the paper, for comparison with those of the program.
 
 /// A row of Table 1: the slopes of log MSE against log N.
@@ -80,12 +49,10 @@ struct SceneFindings
 /// All results of the reproduction, from which the report is written.
 struct PaperFindings
 {
-    bool quick = false;             ///< true if the quick set of steps was run
-    std::vector<std::string> facts; ///< "name: value" about the run: version, machine, date, duration
     SceneFindings five_cubes;
     SceneFindings four_chairs;                   ///< lit downwards
     SceneFindings four_chairs_up;                ///< lit upwards
-    std::map<std::string, Study> studies;        ///< by the name of their table file without ".csv"
+    std::map<std::string, Study> studies;        ///< by the name of their first file without extension
     std::map<std::string, std::string> commands; ///< command line that made a file, by the name of the file
 
     /// The study with this name. Throws std::out_of_range if there is none.
@@ -98,7 +65,7 @@ const Curve& curve_of(const Study& study, const std::string& method, const std::
                       const std::string& line_order = "", const std::string& pairing = "");
 
 /// Verdict on a statement, from agreement to contradiction. It is undecided if the 95 % interval of the measured number
-/// contains values that agree with the statement and values that contradict it.
+/// contains values that agree with the statement and values that contradict it. The worse of two is the larger.
 enum class Verdict { holds, undecided, differs };
 
 /// "holds", "undecided" or "differs".
@@ -117,11 +84,11 @@ struct Claim
 /// missing, and std::bad_optional_access if a scene has no ratio (3).
 std::vector<Claim> paper_claims(const PaperFindings& findings);
 
-/// Formats claims for a terminal.
-std::string claims_text(const std::vector<Claim>& claims);
-
-/// Writes the report of the reproduction: the statements of the paper beside the results, then every table and figure
-/// with an explanation. Throws like paper_claims(), and std::out_of_range if the command of a figure is missing.
-Report paper_report(const PaperFindings& findings);
+/// The report of the reproduction as a self-contained HTML page: the statements of the paper beside the results, then
+/// every table and figure with an explanation. `folder` is the folder that holds the files of the figures. The comments
+/// go into the head of the page. Throws like paper_claims(), std::out_of_range if the command of a figure is missing,
+/// and InputError if the file of a figure cannot be read.
+std::string paper_report(const PaperFindings& findings, const std::string& folder,
+                         const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -13,16 +13,6 @@ namespace multipath {
 
 namespace {
 
-using KindPart = std::string CurveKind::*;
-
-/// True if another curve of the same method differs in this part.
-bool differs(const Study& study, const Curve& curve, KindPart part)
-{
-    return std::any_of(study.curves.begin(), study.curves.end(), [&](const Curve& other) {
-        return other.kind.method == curve.kind.method && other.kind.*part != curve.kind.*part;
-    });
-}
-
 std::string reference_text(const Study& study)
 {
     if (!study.reference_relative_square)
@@ -58,20 +48,6 @@ std::string fixed(double value, int decimals)
     return (value < 0.0 && !zero ? "−" : "") + digits;
 }
 
-std::string scientific(double value)
-{
-    std::string text = format("%.1e", value);
-    const std::size_t e = text.find('e');
-    if (e == std::string::npos)
-        return text; // not a number
-    std::string power;
-    for (const char c : std::to_string(std::stoi(text.substr(e + 1))))
-        power += c == '-'
-                     ? "⁻"
-                     : std::array{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"}[static_cast<std::size_t>(c - '0')];
-    return text.substr(0, e) + "·10" + power;
-}
-
 std::string slope_words(const std::optional<PowerLaw>& law, int decimals)
 {
     return law ? fixed(law->exponent, decimals) + " ± " + fixed(exponent_interval(*law), decimals) : "none";
@@ -83,12 +59,11 @@ std::string curve_label(const Study& study, const Curve& curve)
     if (curve.kind.sequence.empty())
         return label;
     label += ", " + curve.kind.sequence;
-    if (differs(study, curve, &CurveKind::pairing) || curve.kind.pairing != "4d")
-        label += ", " + curve.kind.pairing;
-    if (differs(study, curve, &CurveKind::chords))
-        label += ", " + curve.kind.chords;
-    if (differs(study, curve, &CurveKind::line_order))
-        label += curve.kind.line_order == "shuffled" ? ", shuffled" : ", in order";
+    for (std::string CurveKind::*const part : {&CurveKind::pairing, &CurveKind::chords, &CurveKind::line_order})
+        if (std::any_of(study.curves.begin(), study.curves.end(), [&](const Curve& other) {
+                return other.kind.method == curve.kind.method && other.kind.*part != curve.kind.*part;
+            }))
+            label += ", " + curve.kind.*part;
     return label;
 }
 
@@ -162,35 +137,6 @@ Curve read_curve(const std::string& path, const std::string& name)
         refuse(table.place(table.header), "no row after the header, expected one per point");
     curve.law = fit(curve.points); // (2)
     return curve;
-}
-
-Study read_study(const std::string& path)
-{
-    const CsvTable table = read_csv(path);
-    Study study;
-    if (const auto square = comment_value(table.comments, "reference_relative_mse"))
-        study.reference_relative_square = std::strtod(square->c_str(), nullptr);
-    for (const CsvRow& row : table.rows) {
-        const auto text = [&](const char* column) -> const std::string& { return row.fields[table.column(column)]; };
-        const auto number = [&](const char* column) { return table.number(row, table.column(column)); };
-        const CurveKind kind = {text("method"), text("sequence"), text("pairing"), text("chords"), text("line_order")};
-        if (study.curves.empty() || !(study.curves.back().kind == kind))
-            study.curves.push_back({kind, {}, {}});
-        CurvePoint point;
-        point.lines = static_cast<std::uint64_t>(number("lines"));
-        point.local_lines = number("local_lines");
-        point.global_lines = number("global_lines");
-        point.mean_square = number("mse");
-        point.relative = number("relative_mse");
-        point.relative_error = text("standard_error").empty() ? 0.0 : number("standard_error");
-        point.seconds = number("seconds");
-        point.above_reference = number("in_fit") > 0.0;
-        study.curves.back().points.push_back(point);
-        study.executions = static_cast<int>(number("replicates"));
-    }
-    for (Curve& curve : study.curves)
-        curve.law = fit(curve.points);
-    return study;
 }
 
 } // namespace multipath

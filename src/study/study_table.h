@@ -12,15 +12,11 @@ namespace multipath {
 /// unless all its digits are 0.
 std::string fixed(double value, int decimals);
 
-/// Formats a number with two significant digits and a power of ten: "1.2·10⁻⁴".
-std::string scientific(double value);
-
 /// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
 std::string slope_words(const std::optional<PowerLaw>& law, int decimals = 3);
 
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
-/// Pairing, chords and line order are each appended if another curve of the same method differs in it. A pairing other
-/// than 4d is always appended.
+/// Pairing, chords and line order are each appended if another curve of the same method differs in it.
 std::string curve_label(const Study& study, const Curve& curve);
 
 /// Reads the curve of another program, called `name`, and fits it. The file is a table with one row per point and the
@@ -38,9 +34,5 @@ std::string study_text(const Study& study);
 /// slope_error (of the curve; empty without a fit), in_fit (1 if the fit uses the point, else 0), replicates (number of
 /// executions), pairing, chords and line_order. The comments come first.
 std::string study_csv(const Study& study, const std::vector<std::string>& comments);
-
-/// Reads a study from a file that study_csv() wrote, and repeats the fits. A table without rows gives a study without
-/// curves. Throws InputError for a file that is no table or whose rows lack one of the columns.
-Study read_study(const std::string& path);
 
 } // namespace multipath

@@ -45,7 +45,7 @@ browse() {
         --host-resolver-rules="MAP * ~NOTFOUND" --enable-logging=stderr "$@" 2>browser.log
 }
 
-report() { "$program" paper --quick --scenes "$root/scenes" -o paper 2>err; }
+report() { "$program" paper --quick -o paper 2>err; }
 check "paper --quick makes a report" report
 
 looked() { browse --virtual-time-budget=30000 --dump-dom "file://$PWD/look.html" >dom.html && sed -n 's/.*<pre id="result">//; /^figure\|^resources\|^wide\|^rows\|^error\|^end/p' dom.html >seen && grep -q '^end$' seen || { head -c 2000 dom.html; return 1; }; }

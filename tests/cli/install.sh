@@ -60,13 +60,13 @@ found_by() {
             ! "$found_program" check cube.obj 2>err && grep -q '^multipath: cube.obj: ' err
     )
 }
-# `paper` is ended as soon as it has begun with the first scene, or has failed.
+# `paper` is ended as soon as it has read the first scene, or has failed.
 paper_finds() {
     mkdir report && (cd report && exec "$tree/opt/multipath/bin/multipath" paper --quick -t 1) 2>err &
-    until grep -qE '^\[3/|^multipath' err || ! kill -0 $! 2>/dev/null; do sleep 0.1; done
+    until [ -d report/paper/cache ] || ! kill -0 $! 2>/dev/null; do sleep 0.1; done
     kill $! 2>/dev/null
     wait $!
-    says err "] multipath study $tree/opt/multipath/share/multipath/scenes/5cubes.obj"
+    says err "] multipath study 5cubes" && [ -d report/paper/cache ]
 }
 bundled_scenes() {
     ln -sf "$tree/opt/multipath/bin/multipath" linked && found_by "$tree/opt/multipath/bin/multipath" && found_by "$here/linked" &&

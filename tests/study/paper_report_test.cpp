@@ -4,6 +4,7 @@
 #include "study/paper_report.h"
 
 #include "base/errors.h"
+#include "base/text_format.h"
 #include "commands/paper_steps.h"
 #include "scene/scratch_folder.h"
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <doctest/doctest.h>
 #include <functional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -79,7 +81,6 @@ PaperFindings agreeing_findings()
                                                       pairing == std::string("4d") ? -1.1 : 0.0));
     f.studies["figure7"] = f.studies["figure8"] = shots_study(0.5, 0.06, 0.05);
     f.studies["figure9"] = shots_study(0.046, 0.042, 0.05);
-    f.studies["figure9-coarse"] = f.studies["figure9-fine"] = f.studies["figure9"];
     f.studies["figure7-local"] = f.studies["figure7"];
     f.studies["figure9-local"] = f.studies["figure9"];
     for (const char* scene : {"reuse-5cubes", "reuse-4chairs", "reuse-4chairs-up"})
@@ -112,20 +113,30 @@ Verdict verdict_on(const PaperFindings& findings, const std::string& words)
 PaperFindings findings_of_steps()
 {
     PaperFindings findings = agreeing_findings();
-    for (const PaperStep& step : paper_steps(true, "scenes", "paper"))
+    for (const PaperStep& step : paper_steps(true, "paper"))
         for (const std::string& output : step.outputs)
             findings.commands[output] = typed(step);
     return findings;
 }
 
-/// The row of the table with this header that begins with this cell, without it.
-std::vector<std::string> row(const Report& report, const std::string& first_header, const std::string& first_cell)
+/// The report with figures whose files hold their own names.
+std::string report_of(const PaperFindings& findings)
 {
-    for (const ReportBlock& block : report)
-        for (const std::vector<std::string>& cells : block.table)
-            if (block.table[0][0] == first_header && cells[0] == first_cell)
-                return {cells.begin() + 1, cells.end()};
-    return {};
+    const ScratchFolder folder;
+    for (const auto& [file, command] : findings.commands)
+        folder.write(file, "<svg>" + file + "</svg>\n");
+    return paper_report(findings, folder.path(""), {"multipath 1", "command: multipath paper --quick"});
+}
+
+bool holds(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+/// A row of a table.
+std::string row(const std::vector<std::string>& cells)
+{
+    return "<tr><td>" + join(cells, "</td><td>") + "</td></tr>";
 }
 
 } // namespace
@@ -208,16 +219,6 @@ TEST_CASE("a slope differs only if its interval excludes what is expected")
     CHECK(verdict_on(findings, "Halton") == Verdict::differs);
 }
 
-TEST_CASE("for a terminal every statement has its verdict, what was found and what the paper says")
-{
-    const std::vector<Claim> claims = {{"Lines cross", "often", "always", Verdict::undecided},
-                                       {"Points fill", "evenly", "so", Verdict::holds}};
-    CHECK(claims_text(claims) == "undecided  Lines cross\n"
-                                 "           always (paper: often)\n"
-                                 "holds      Points fill\n"
-                                 "           so (paper: evenly)\n");
-}
-
 TEST_CASE("Sobol's slopes are judged against -1 and against the printed ones")
 {
     PaperFindings findings = agreeing_findings();
@@ -231,19 +232,33 @@ TEST_CASE("Sobol's slopes are judged against -1 and against the printed ones")
 TEST_CASE("the report of the paper shows every figure that its commands draw once, beside the command")
 {
     const PaperFindings findings = findings_of_steps();
-    std::vector<std::string> drawn;
+    const std::string report = report_of(findings);
+    std::size_t drawn = 0;
     for (const auto& [file, command] : findings.commands)
-        if (file.substr(file.size() - 4) != ".csv")
-            drawn.push_back(file);
-    std::vector<std::string> shown;
-    for (const ReportBlock& block : paper_report(findings))
-        for (const ReportFigure& figure : block.figures) {
-            shown.push_back(figure.file);
-            CHECK(figure.command == findings.commands.at(figure.file));
-            CHECK(figure.command.find(" -o " + figure.file) != std::string::npos);
+        if (file.substr(file.size() - 4) != ".csv") {
+            CAPTURE(file);
+            ++drawn;
+            const std::size_t figure = report.find("<figure id=\"" + file + "\">");
+            REQUIRE(figure != std::string::npos);
+            const std::string shown = report.substr(figure, report.find("</figure>", figure) - figure);
+            CHECK(holds(shown, "<code>" + command + "</code>"));
+            CHECK(holds(command, " -o " + file));
+            CHECK(holds(shown, file.substr(file.size() - 4) == ".svg" ? "<svg>" + file
+                                                                      : "src=\"data:image/png;base64,PHN2Zz"));
         }
-    std::sort(shown.begin(), shown.end());
-    CHECK(shown == drawn); // the map's order is that of the names
+    std::size_t shown = 0;
+    for (std::size_t at = report.find("<figure"); at != std::string::npos; at = report.find("<figure", at + 1))
+        ++shown;
+    CHECK(shown == drawn);
+    CHECK(holds(report, "<meta name=\"multipath\" content=\"command: multipath paper --quick\">"));
+    CHECK_FALSE(holds(report, "src=\"http"));
+    CHECK_FALSE(holds(report, "href="));
+}
+
+TEST_CASE("a report without one of its figures is an error")
+{
+    const ScratchFolder folder;
+    CHECK_THROWS_AS((void)paper_report(findings_of_steps(), folder.path(""), {}), InputError);
 }
 
 TEST_CASE("the report's first table has each statement with its verdict")
@@ -251,17 +266,13 @@ TEST_CASE("the report's first table has each statement with its verdict")
     PaperFindings findings = findings_of_steps();
     findings.four_chairs_up.report.ratio_first_shot = 0.43;         // the paper: 0.41
     findings.studies["figure9"] = shots_study(0.0495, 0.045, 0.05); // a ratio of 0.99 ± 0.014
-    const std::vector<Claim> claims = paper_claims(findings);
-    const Report report = paper_report(findings);
+    const std::string report = report_of(findings);
     int each[3] = {0, 0, 0};
-    for (const Claim& claim : claims) {
-        const std::vector<std::string> cells = row(report, "statement", claim.statement);
-        REQUIRE(cells.size() == 3);
-        CHECK(cells[0] == claim.expected);
-        CHECK(cells[1].substr(0, claim.found.size()) == claim.found);
-        CHECK(cells[2] == (claim.verdict == Verdict::holds       ? "holds"
-                           : claim.verdict == Verdict::undecided ? "undecided"
-                                                                 : "*differs*"));
+    for (const Claim& claim : paper_claims(findings)) {
+        const char* verdict = claim.verdict == Verdict::holds       ? "holds"
+                              : claim.verdict == Verdict::undecided ? "undecided"
+                                                                    : "differs";
+        CHECK(holds(report, row({claim.statement, claim.expected, claim.found, verdict})));
         ++each[static_cast<int>(claim.verdict)];
     }
     CHECK(each[static_cast<int>(Verdict::undecided)] > 0);
@@ -271,85 +282,25 @@ TEST_CASE("the report's first table has each statement with its verdict")
 TEST_CASE("the report's tables hold what was found, every row as many cells as its header")
 {
     PaperFindings findings = findings_of_steps();
-    findings.facts = {"program: multipath 1"};
     findings.five_cubes = {"5CUBES", 1234, {}};
     findings.five_cubes.report.figures = {2.1, 0.577, 0.65, 0.67};
     findings.five_cubes.report.ratio_first_shot = 0.85;
     findings.five_cubes.report.ratio_extended = 1.06;
-    const Report report = paper_report(findings);
-    for (const ReportBlock& block : report)
-        for (const std::vector<std::string>& cells : block.table)
-            CHECK(cells.size() == block.table[0].size());
-    using Cells = std::vector<std::string>;
-    CHECK(row(report, "this run", "program") == Cells{"multipath 1"});
-    CHECK(row(report, "", "5CUBES") == Cells{"1,234", "0.577", "2.10", "0.670", "0.650", "0.850", "1.060"});
+    const std::string report = report_of(findings);
+    std::istringstream lines(report);
+    std::size_t wanted = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t cells = 0;
+        for (const char* cell : {"<th>", "<td>"})
+            for (std::size_t at = line.find(cell); at != std::string::npos; at = line.find(cell, at + 1))
+                ++cells;
+        if (holds(line, "<th>"))
+            wanted = cells;
+        CHECK((cells == 0 || cells == wanted));
+    }
+    CHECK(holds(report, row({"5CUBES", "1,234", "0.577", "2.10", "0.670", "0.650", "0.850", "1.060"})));
     // With slopes of -1.5 and -1.1 the hundredfold of 2^15 lines has become a hundred times 2^(0.4 * 6).
-    const Cells reuse = row(report, "at the most lines", "5CUBES, 2,097,152");
-    REQUIRE(reuse.size() == 4);
-    CHECK(reuse[2] == "528");
-    CHECK(reuse[3].find("−1.500 ± ") == 0);
+    CHECK(holds(report, "<td>528</td><td>−1.500 ± "));
 }
 
 } // namespace paper_report_test
-
-namespace report_test {
-
-using namespace multipath;
-
-namespace {
-
-bool holds(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
-} // namespace
-
-TEST_CASE("a page holds its figures and refers to nothing else")
-{
-    const ScratchFolder folder;
-    folder.write("plot.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><title>plot</title></svg>\n");
-    folder.write("picture.png", "foobar");
-    const Report report = {
-        {1, "Title & more"},
-        {0, "some `a < b` *and* 3 * 4"},
-        {0, "", {{"x"}, {"1"}, {"2"}}},
-        {0, "", {}, {{"plot.svg", "a plot", "multipath study"}, {"picture.png", "a \"picture\"", "multipath solve"}}}};
-    const std::string html = report_html(report, folder.path(""), {"multipath 1", "command: multipath paper --quick"});
-    CHECK(holds(html, "<title>Title &amp; more</title>"));
-    CHECK(holds(html, "<meta name=\"multipath\" content=\"command: multipath paper --quick\">"));
-    CHECK(holds(html, "some <code>a &lt; b</code> <em>and</em> 3 * 4"));
-    CHECK(holds(html, "<tr><td>2</td></tr>"));
-    CHECK(holds(html, "<title>plot</title>"));
-    CHECK(holds(html, "src=\"data:image/png;base64,Zm9vYmFy\""));
-    CHECK(holds(html, "alt=\"a &quot;picture&quot;\""));
-    CHECK(!holds(html, "src=\"http"));
-    CHECK(!holds(html, "href="));
-}
-
-TEST_CASE("a page without one of its figures is an error")
-{
-    const ScratchFolder folder;
-    const Report report = {{0, "", {}, {{"missing.svg", "", ""}}}};
-    CHECK_THROWS_AS((void)report_html(report, folder.path(""), {}), InputError);
-}
-
-TEST_CASE("the same report as Markdown")
-{
-    const Report report = {{2, "Part"},
-                           {0, "took 3 s"},
-                           {0, "", {{"a", "b"}, {"1|2", "3"}}},
-                           {0, "", {}, {{"plot.svg", "a plot", "multipath study x"}}}};
-    CHECK(report_markdown(report, {"command: multipath paper"}) == "## Part\n\n"
-                                                                   "took 3 s\n\n"
-                                                                   "| a | b |\n"
-                                                                   "| --- | --- |\n"
-                                                                   "| 1\\|2 | 3 |\n\n"
-                                                                   "![plot.svg](plot.svg)\n\n"
-                                                                   "a plot\n\n"
-                                                                   "```console\nmultipath study x\n```\n\n"
-                                                                   "---\n\n"
-                                                                   "    command: multipath paper\n");
-}
-
-} // namespace report_test
