@@ -8,6 +8,7 @@
 #include "commands/paper_steps.h"
 #include "study/paper_report.h"
 
+#include <sstream>
 #include <string>
 
 namespace multipath {
@@ -15,14 +16,22 @@ namespace multipath {
 namespace {
 
 /// Runs one step as if it had been typed, with its outputs in the folder, and adds what it finds.
-void run_step(const PaperStep& step, const std::string& folder, const CommandLine& line, PaperFindings& findings)
+void run_step(const std::string& step, const std::string& folder, const CommandLine& line, PaperFindings& findings)
 {
-    const Command command = command_named(step.words.front());
-    std::vector<std::string> words(step.words.begin() + 1, step.words.end());
-    for (const std::string& output : step.outputs) {
-        words.insert(words.end(), {"--output", folder + "/" + output});
-        findings.commands[output] = typed(step);
-    }
+    std::istringstream text(step);
+    std::string name;
+    text >> name;
+    const Command command = command_named(name);
+    std::vector<std::string> words;
+    std::string output;
+    for (std::string word; text >> word; words.push_back(word))
+        if (!words.empty() && words.back() == "-o") {
+            output = word;
+            findings.commands[word] = "multipath " + step;
+            word = folder + "/" + word;
+        } else if (word.rfind("FOLDER/", 0) == 0) {
+            word.replace(0, 6, folder);
+        }
     const auto add = [&](const char* option, const std::string& value) {
         if (find_option(command.table, option) == nullptr)
             return;
@@ -35,8 +44,7 @@ void run_step(const PaperStep& step, const std::string& folder, const CommandLin
     if (line.has("threads"))
         add("threads", line.text("threads"));
     const CommandLine step_line(command.table, words);
-    const std::string& output = step.outputs.front();
-    if (command.table.name == "study")
+    if (name == "study")
         findings.studies[output.substr(0, output.rfind('.'))] = study_of(step_line);
     else
         command.run(step_line);
@@ -54,13 +62,13 @@ int run_paper(const CommandLine& line)
     const std::string folder = line.text("output");
     const bool quiet = line.has("quiet");
     const int threads = thread_count(line);
-    const std::vector<PaperStep> steps = paper_steps(line.has("quick"), folder);
+    const std::vector<std::string> steps = paper_steps(line.has("quick"));
     always_end_at_interrupts();
     make_folder(folder);
     PaperFindings findings;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!quiet)
-            print_note(format("[%zu/%zu] %s\n", k + 1, steps.size(), typed(steps[k]).c_str()));
+            print_note(format("[%zu/%zu] multipath %s\n", k + 1, steps.size(), steps[k].c_str()));
         run_step(steps[k], folder, line, findings);
     }
     findings.five_cubes = scene_findings("5CUBES", "5cubes", threads);

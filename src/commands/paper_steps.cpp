@@ -1,8 +1,5 @@
 #include "commands/paper_steps.h"
 
-#include <iterator>
-#include <sstream>
-
 namespace multipath {
 
 namespace {
@@ -22,33 +19,27 @@ struct Effort
 const Effort full_effort = {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
 const Effort quick_effort = {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
 
-/// Appends the step of a command line whose words are separated by spaces. FOLDER stands for the name of the folder,
-/// which may contain spaces.
-void add(std::vector<PaperStep>& list, const std::string& command, const std::vector<std::string>& outputs)
-{
-    std::istringstream words(command);
-    list.push_back({{std::istream_iterator<std::string>(words), {}}, outputs});
-}
+using Steps = std::vector<std::string>;
 
 /// Appends a study with a table and a plot as outputs.
-void add_study(std::vector<PaperStep>& list, const std::string& name, const std::string& words)
+void add_study(Steps& list, const std::string& name, const std::string& words)
 {
-    add(list, "study " + words, {name + ".csv", name + ".svg"});
+    list.push_back("study " + words + " -o " + name + ".csv -o " + name + ".svg");
 }
 
 /// The patch size that `study` chooses for this scene by default; `solve` would choose adaptive patches.
 const std::string patches_of_4chairs = " --patch-size 0.25";
 
 /// Section 3: sequences.
-void add_sequences(std::vector<PaperStep>& list, const Effort& effort)
+void add_sequences(Steps& list, const Effort& effort)
 {
     const std::string few = "halton:2,7,3,5,halton:11,13,17,19,sobol";
     const std::string curves = " --methods first-shot --sequences random," + few + " --line-orders sequence";
     const std::string lines = " --from " + effort.slopes_from + " --to ";
     const std::string replicates = " --replicates " + effort.replicates;
     const std::string slopes = lines + effort.slopes_to + replicates;
-    add(list, "points --figure 1", {"figure1.svg"});
-    add(list, "points --figure 2", {"figure2.svg"});
+    list.push_back("points --figure 1 -o figure1.svg");
+    list.push_back("points --figure 2 -o figure2.svg");
     add_study(list, "figure3", "5cubes" + curves + slopes);
     add_study(list, "figure4", "4chairs" + curves + slopes);
     add_study(list, "order",
@@ -58,21 +49,19 @@ void add_sequences(std::vector<PaperStep>& list, const Effort& effort)
     const std::string picture =
         "solve 4chairs" + patches_of_4chairs + " --method first-shot --line-order sequence --lines ";
     const std::string flat = " --shading flat --size 400x300";
-    add(list, picture + "266000 --sequence random" + flat, {"figure5a.png"});
-    add(list, picture + "266000 --sequence halton:11,13,17,19" + flat, {"figure5b.png"});
-    add(list, picture + "532000 --sequence random" + flat, {"figure5c.png"});
-    add(list, picture + "532000 --sequence halton:11,13,17,19" + flat, {"figure5d.png"});
+    list.push_back(picture + "266000 --sequence random" + flat + " -o figure5a.png");
+    list.push_back(picture + "266000 --sequence halton:11,13,17,19" + flat + " -o figure5b.png");
+    list.push_back(picture + "532000 --sequence random" + flat + " -o figure5c.png");
+    list.push_back(picture + "532000 --sequence halton:11,13,17,19" + flat + " -o figure5d.png");
 }
 
 /// Section 4: the extended first shot. The errors are measured against two references: the best that the program can
 /// compute, and one like the paper's.
-void add_shots(std::vector<PaperStep>& list, const Effort& effort)
+void add_shots(Steps& list, const Effort& effort)
 {
     const auto picture = [&](const std::string& method, const std::string& file) {
-        add(list,
-            "solve 4chairs-up" + patches_of_4chairs + " --method " + method +
-                " --lines 1.5M --sequence random --shading flat --size 400x300",
-            {file});
+        list.push_back("solve 4chairs-up" + patches_of_4chairs + " --method " + method +
+                       " --lines 1.5M --sequence random --shading flat --size 400x300 -o " + file);
     };
     picture("first-shot", "figure6a.png");
     picture("extended", "figure6b.png");
@@ -87,47 +76,33 @@ void add_shots(std::vector<PaperStep>& list, const Effort& effort)
 
     const std::string reference =
         patches_of_4chairs + " --method local --sequence random --replicates 4 --lines " + effort.reference_lines;
-    add(list, "solve 4chairs-up" + reference, {"reference-up.csv"});
-    add(list, "solve 4chairs" + reference, {"reference-down.csv"});
-    add(list, "study 4chairs-up" + all + " --reference FOLDER/reference-up.csv", {"figure7-local.csv"});
-    add(list, "study 4chairs" + all + " --reference FOLDER/reference-down.csv", {"figure9-local.csv"});
+    list.push_back("solve 4chairs-up" + reference + " -o reference-up.csv");
+    list.push_back("solve 4chairs" + reference + " -o reference-down.csv");
+    list.push_back("study 4chairs-up" + all + " --reference FOLDER/reference-up.csv -o figure7-local.csv");
+    list.push_back("study 4chairs" + all + " --reference FOLDER/reference-down.csv -o figure9-local.csv");
 }
 
 /// Line reuse, which goes beyond the paper, against lines and against seconds.
-void add_reuse(std::vector<PaperStep>& list, const Effort& effort)
+void add_reuse(Steps& list, const Effort& effort)
 {
     const std::string lines =
         " --from " + effort.slopes_from + " --to " + effort.reuse_to + " --replicates " + effort.replicates;
     for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"}) {
         const std::string curves = scene + " --methods extended,reuse --sequences random,sobol-owen";
         add_study(list, "reuse-" + scene, curves + lines);
-        add(list, "study " + curves + " --against seconds" + lines, {"reuse-" + scene + "-seconds.svg"});
+        list.push_back("study " + curves + " --against seconds" + lines + " -o reuse-" + scene + "-seconds.svg");
     }
 }
 
 } // namespace
 
-std::string typed(const PaperStep& step)
-{
-    std::string text = "multipath";
-    for (const std::string& word : step.words)
-        text += " " + word;
-    for (const std::string& output : step.outputs)
-        text += " -o " + output;
-    return text;
-}
-
-std::vector<PaperStep> paper_steps(bool quick, const std::string& folder)
+std::vector<std::string> paper_steps(bool quick)
 {
     const Effort& effort = quick ? quick_effort : full_effort;
-    std::vector<PaperStep> list;
+    Steps list;
     add_sequences(list, effort);
     add_shots(list, effort);
     add_reuse(list, effort);
-    for (PaperStep& step : list)
-        for (std::string& word : step.words)
-            if (word.rfind("FOLDER/", 0) == 0)
-                word.replace(0, 6, folder);
     return list;
 }
 

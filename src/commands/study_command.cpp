@@ -58,23 +58,9 @@ std::vector<std::string> split_list(const std::string& text)
     return entries;
 }
 
-/// The sequences whose arguments are optional.
-std::vector<std::string_view> all_sequence_names()
+/// The entries of the option `name`. Throws UsageError for an empty or repeated entry.
+std::vector<std::string> read_list(const CommandLine& line, const std::string& name)
 {
-    std::vector<std::string_view> names;
-    for (const SequenceKind& kind : sequence_kinds())
-        if (kind.arguments.empty() || kind.arguments.front() == '[')
-            names.push_back(kind.name);
-    return names;
-}
-
-/// The entries of the option `name`; for the word "all" those of the list `all`, unless that is empty. Throws
-/// UsageError for an empty or repeated entry.
-std::vector<std::string> read_list(const CommandLine& line, const std::string& name,
-                                   const std::vector<std::string_view>& all = {})
-{
-    if (!all.empty() && line.text(name) == "all")
-        return {all.begin(), all.end()};
     std::vector<std::string> entries = split_list(line.text(name));
     for (const std::string& entry : entries) {
         if (entry.empty())
@@ -130,7 +116,7 @@ OptionGroup study_curve_options()
             {{"methods", 'm', "LIST", "first-shot,extended,reuse",
               "Methods of solve, or all; see 'multipath help methods'."},
              {"sequences", 's', "LIST", "random,sobol",
-              "Sequences of solve, or all; also with bases, as in random,sobol,halton:2,7,3,5."},
+              "Sequences of solve, also with bases, as in random,sobol,halton:2,7,3,5."},
              {"pairings", 0, "LIST", "4d", "Any of " + join(names_of(pairing_choices)) + "."},
              {"line-orders", 0, "LIST", "shuffled", "Any of " + join(names_of(line_order_choices)) + "."},
              {"chords", 0, "LIST", "",
@@ -142,11 +128,13 @@ OptionGroup study_curve_options()
 std::vector<CurvePlan> read_curves(const CommandLine& line)
 {
     const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
-    const std::vector<std::string> methods = read_list(line, "methods", known_methods);
+    const std::vector<std::string> methods = line.text("methods") == "all"
+                                                 ? std::vector<std::string>(known_methods.begin(), known_methods.end())
+                                                 : read_list(line, "methods");
     for (const std::string& method : methods)
         require_choice("--methods", method, known_methods);
     require_options_with_effect(line, methods, "--methods " + line.text("methods"));
-    const std::vector<std::string> sequences = read_list(line, "sequences", all_sequence_names());
+    const std::vector<std::string> sequences = read_list(line, "sequences");
     const std::vector<std::string> pairings = read_list(line, "pairings");
     const std::vector<std::string> orders = read_list(line, "line-orders");
     const std::vector<std::string> chords =

@@ -52,7 +52,7 @@ struct PaperFindings
     SceneFindings five_cubes;
     SceneFindings four_chairs;                   ///< lit downwards
     SceneFindings four_chairs_up;                ///< lit upwards
-    std::map<std::string, Study> studies;        ///< by the name of their first file without extension
+    std::map<std::string, Study> studies;        ///< by the names of their files without extension
     std::map<std::string, std::string> commands; ///< command line that made a file, by the name of the file
 
     /// The study with this name. Throws std::out_of_range if there is none.

@@ -113,9 +113,9 @@ Verdict verdict_on(const PaperFindings& findings, const std::string& words)
 PaperFindings findings_of_steps()
 {
     PaperFindings findings = agreeing_findings();
-    for (const PaperStep& step : paper_steps(true, "paper"))
-        for (const std::string& output : step.outputs)
-            findings.commands[output] = typed(step);
+    for (const std::string& step : paper_steps(true))
+        for (std::size_t at = step.find(" -o "); at != std::string::npos; at = step.find(" -o ", at + 1))
+            findings.commands[step.substr(at + 4, step.find(' ', at + 4) - at - 4)] = "multipath " + step;
     return findings;
 }
 
