@@ -165,7 +165,8 @@ public:
     struct Replacement
     {
         std::uint32_t piece;
-        std::vector<TexturePolygon> parts; ///< in pixels of the mask
+        TexturePolygon whole;              ///< in pixels of the mask
+        std::vector<TexturePolygon> parts; ///< in the same direction
     };
 
     /// The replacements of these pieces; nothing if they would be too many.
@@ -181,28 +182,24 @@ public:
             visited += mask.is_uniform ? 0.0 : around(whole).pixels();
             if (visited > most_pixels_visited)
                 return std::nullopt;
-            const double area = std::abs(area_of(whole));
             std::vector<TexturePolygon> parts = opaque_parts(whole, mask);
             double opaque = 0.0;
             for (const TexturePolygon& part : parts)
                 opaque += std::abs(area_of(part));
-            if (opaque >= (1.0 - no_part) * area)
+            if (opaque >= (1.0 - no_part) * std::abs(area_of(whole)))
                 continue;
-            if (opaque <= no_part * area)
-                parts.clear();
             count += parts.size();
             if (count > most_new_pieces)
                 return std::nullopt;
-            replacements.push_back({number, std::move(parts)});
+            replacements.push_back({number, whole, std::move(parts)});
         }
         return replacements;
     }
 
     /// The pieces that take the place of a piece. Their corners are added to the mesh.
-    LargeVector<Piece> pieces_of(const Replacement& replacement, const Mask& mask)
+    LargeVector<Piece> pieces_of(const Replacement& replacement)
     {
         const Piece& piece = pieces_[replacement.piece];
-        const TexturePolygon whole = footprint(piece, mask);
         LargeVector<Piece> result;
         const auto add = [&](const std::array<ObjCorner, 4>& corners) {
             Piece added = piece;
@@ -210,12 +207,10 @@ public:
             if (!scale_.is_degenerate(mesh_.at(corners[0]), mesh_.at(corners[1]), mesh_.at(added.end_of_v())))
                 result.push_back(added);
         };
-        for (TexturePolygon part : replacement.parts) {
-            if (area_of(whole) < 0.0) // the texture is mirrored
-                std::reverse(part.begin(), part.end());
+        for (const TexturePolygon& part : replacement.parts) {
             std::vector<ObjCorner> corners;
             for (const TexturePoint corner : part)
-                corners.push_back(new_corner(piece, corner, whole));
+                corners.push_back(new_corner(piece, corner, replacement.whole));
             if (is_parallelogram(part))
                 add({corners[0], corners[1], corners[2], corners[3]});
             else
@@ -254,9 +249,8 @@ private:
             part = clipped(part, &TexturePoint::s, static_cast<double>(r.x1), 1.0);
             part = clipped(part, &TexturePoint::t, static_cast<double>(r.y0), -1.0);
             part = clipped(part, &TexturePoint::t, static_cast<double>(r.y1), 1.0);
-            // Area in either direction: clipping keeps the order of the corners.
             if (part.size() >= 3 && std::abs(area_of(part)) > no_area)
-                parts.push_back(area_of(part) > 0.0 ? part : TexturePolygon(part.rbegin(), part.rend()));
+                parts.push_back(std::move(part));
         }
         return parts;
     }
@@ -330,7 +324,7 @@ std::vector<std::string> cut_out(const std::vector<MtlMaterial>& definitions, co
         std::size_t parts = 0;
         for (const MaterialCutter::Replacement& replacement : *replacements) {
             LargeVector<Piece>& added = replaced[replacement.piece];
-            added = cutter.pieces_of(replacement, mask);
+            added = cutter.pieces_of(replacement);
             parts += added.size();
         }
         const std::string subject =

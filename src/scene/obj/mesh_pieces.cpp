@@ -204,14 +204,6 @@ constexpr double largest_clipping_work = 1e8;
 constexpr std::string_view crosses_itself =
     "polygon crosses itself and its triangles overlap, mend it in the modelling program";
 
-double diameter_of(const std::vector<Vec3>& points)
-{
-    Bounds box;
-    for (const Vec3 p : points)
-        box.include(p);
-    return box.diagonal();
-}
-
 class FaceCutter
 {
 public:
@@ -255,7 +247,7 @@ private:
             return;
         }
         const double bend = distance_from_plane(positions_, area);
-        if (bend > scale_.widest_crack() && bend > 1e-4 * diameter_of(positions_))
+        if (bend > scale_.widest_crack() && bend * bend > 1e-8 * length(area))
             flaws_.add("polygon is not planar and was cut into triangles", mesh_.faces[face].line);
         const std::size_t reflex_corners = reflex_corner_count(positions_, area);
         if (polygon_.size() == 4 && reflex_corners == 0)

@@ -86,9 +86,9 @@ struct MeshPieces
 /// unless its texture points form a parallelogram, too. Any other convex quad is cut along the diagonal from its first
 /// to its third corner, any other polygon by ear clipping. A piece without a texture has the mean colour of those of
 /// its vertices that have one. Faces without area are dropped with a warning. Polygons that are not planar (off their
-/// mean plane by more than 1e-4 of their size and more than widest_crack()) or intersect themselves are cut with one.
-/// Throws InputError for a concave polygon that would take too long: the number of its corners times the number of its
-/// reflex corners exceeds 10^8.
+/// mean plane by more than 1e-4 of the root of their area and more than widest_crack()) or intersect themselves are cut
+/// with one. Throws InputError for a concave polygon that would take too long: the number of its corners times the
+/// number of its reflex corners exceeds 10^8.
 MeshPieces cut_into_pieces(const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

@@ -1,6 +1,6 @@
 // An MTL file is a list of statements, one per line. `newmtl` begins a material; the statements after it describe this
 // material. Only Kd, Ke (or Ka) and their textures matter for diffuse light. All other statements are ignored, with a
-// warning that names the first 16 keywords; d and Tr are recorded for another message.
+// warning that names the first 16 keywords; d is recorded for another message.
 
 #include "scene/obj/mtl_reader.h"
 
@@ -10,12 +10,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <unordered_map>
 
@@ -35,25 +33,8 @@ bool names_image(std::string_view keyword)
     return keyword.substr(0, 4) == "map_" || std::find(others.begin(), others.end(), keyword) != others.end();
 }
 
-/// The text with `%` and two hexadecimal digits replaced by the byte that they encode (RFC 3986), unless it is 0.
-std::string url_decoded(std::string_view text)
-{
-    std::string decoded;
-    for (; !text.empty(); text.remove_prefix(1)) {
-        unsigned byte = 0;
-        const char* const end = text.data() + 3;
-        if (text.size() >= 3 && text[0] == '%' && std::from_chars(text.data() + 1, end, byte, 16).ptr == end &&
-            byte != 0)
-            text.remove_prefix(2);
-        else
-            byte = static_cast<unsigned char>(text[0]);
-        decoded += static_cast<char>(byte);
-    }
-    return decoded;
-}
-
 /// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
-/// which does not depend on the file system. If there is none, the name may be encoded as in a URL.
+/// which does not depend on the file system.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
 {
     std::error_code error;
@@ -66,8 +47,6 @@ std::optional<fs::path> find_entry(const fs::path& folder, const std::string& na
         if (equal_but_for_case(entry_name, name) && (!found || entry_name < found->filename().string()))
             found = folder / entry_name;
     }
-    if (const std::string plain = url_decoded(name); !found && plain != name)
-        return find_entry(folder, plain);
     return found;
 }
 
@@ -140,8 +119,8 @@ private:
             set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
         else
             ignore(keyword, rest, line.place);
-        if (keyword == "d" || keyword == "Tr")
-            note_opacity(keyword, without_comment(rest));
+        if (keyword == "d" && current_)
+            library_.materials[*current_].opacity = to_number(next_word(rest)).value_or(1.0);
     }
 
     void ignore(std::string_view keyword, std::string_view rest, TextLocation place)
@@ -158,7 +137,6 @@ private:
         const std::uint32_t next_number = static_cast<std::uint32_t>(library_.materials.size());
         const auto [entry, is_new] = library_.number_of_name.emplace(name, next_number);
         current_ = entry->second;
-        has_dissolve_ = false;
         MtlMaterial fresh;
         fresh.material.name = name;
         fresh.material.source = name_of(place);
@@ -219,20 +197,6 @@ private:
         return {values.front(), values[values.size() / 2], values.back()};
     }
 
-    /// Records `d` or `Tr`. Exporters disagree whether `Tr 1` alone means opaque or invisible, so it is ignored.
-    void note_opacity(std::string_view keyword, std::string_view rest)
-    {
-        std::string_view word = next_word(rest);
-        if (word == "-halo")
-            word = next_word(rest);
-        const std::optional<double> value = to_number(word);
-        if (!current_ || !value || !(*value >= 0.0 && *value <= 1.0) ||
-            (keyword == "Tr" && (has_dissolve_ || *value == 1.0)))
-            return;
-        has_dissolve_ = has_dissolve_ || keyword == "d";
-        library_.materials[*current_].opacity = keyword == "d" ? *value : 1.0 - *value;
-    }
-
     void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
     {
         MtlMaterial& current = current_material(keyword, place);
@@ -274,27 +238,23 @@ private:
                 result.scale = numbers(after, 1.0);
             } else if (option == "-o") {
                 result.offset = numbers(after, 0.0);
-            } else if (option == "-t" || option == "-mm") {
-                numbers(after, 0.0);
-                ignored_options.push_back(option);
             } else {
                 const std::string_view word = next_word(after);
-                if (word.empty() || word[0] == '-' || after.empty())
+                const bool is_number = to_number(word).has_value();
+                if (word.empty() || (word[0] == '-' && !is_number) || after.empty())
                     break; // a file name that looks like an option
+                if (is_number)
+                    numbers(after, 0.0); // all those of `-mm` and `-t`
                 if (option == "-clamp")
                     result.repeats = word != "on";
                 else
                     ignored_options.push_back(option);
             }
         }
-        for (const std::string_view name : {trimmed(rest), name_in(rest)}) { // with and without what may be a comment
-            result.file = std::string(name);
-            if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
-                result.file = result.file.substr(1, result.file.size() - 2);
-            result.found = result.file.empty() ? "" : texture(result.file);
-            if (!result.found.empty())
-                break;
-        }
+        result.file = std::string(name_in(rest));
+        if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
+            result.file = result.file.substr(1, result.file.size() - 2);
+        result.found = result.file.empty() ? "" : texture(result.file);
         return result;
     }
 
@@ -307,9 +267,8 @@ private:
             const fs::path folder = fs::path(path_).parent_path();
             std::string path = name;
             std::replace(path.begin(), path.end(), '\\', '/');
-            for (const std::string& spelling : std::set<std::string>{path, url_decoded(path)})
-                for (const fs::path& place : {folder / spelling, folder / fs::path(spelling).filename()})
-                    library_.texture_files.push_back(place.string());
+            for (const fs::path& place : {folder / path, folder / fs::path(path).filename()})
+                library_.texture_files.push_back(place.string());
             if (!entry->second.empty())
                 library_.texture_files.push_back(entry->second);
         }
@@ -335,7 +294,6 @@ private:
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
-    bool has_dissolve_ = false;                             ///< the current material has a `d`
     std::unordered_map<std::string, std::string> textures_; ///< paths of the images by name; empty if not found
     Flaws flaws_;
 };
@@ -348,12 +306,6 @@ void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibra
 }
 
 namespace {
-
-bool is_mtl_name(std::string_view name)
-{
-    constexpr std::string_view ending = ".mtl";
-    return name.size() > ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
-}
 
 /// The names in the argument of `mtllib`.
 std::vector<std::string> mtl_names(std::string_view text, TextLocation place)
@@ -370,7 +322,7 @@ std::vector<std::string> mtl_names(std::string_view text, TextLocation place)
             names.emplace_back(text.substr(1, closing - 1));
             rest.remove_prefix(closing + 1);
         } else {
-            while (!is_mtl_name(next_word(rest)) && !rest.empty()) {
+            while (!ends_in(next_word(rest), ".mtl") && !rest.empty()) {
             }
             names.emplace_back(text.substr(0, text.size() - rest.size()));
         }

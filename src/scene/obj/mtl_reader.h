@@ -29,9 +29,7 @@ struct TextureMap
 struct MtlMaterial
 {
     Material material;
-    /// [1] `d`, or 1 - `Tr` if there is no `d`. `Tr 1` is ignored, since it may mean opaque or invisible. For messages
-    /// only, since all surfaces are opaque.
-    double opacity = 1.0;
+    double opacity = 1.0;            ///< [1] `d`, for messages only, since all surfaces are opaque
     std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: the material is black unless it has a `map_Kd`
     std::string flaw;                ///< "file:line: what is wrong" if the reflectance is above 1; otherwise empty
     std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing

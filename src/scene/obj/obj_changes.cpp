@@ -26,7 +26,7 @@ NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
     NamedFaces found = {{}, std::vector<bool>(mesh.groups.size())};
     std::vector<std::string> names = mesh.material_names();
     for (const std::string& material : names)
-        found.materials.push_back(material == name);
+        found.materials.push_back(material == name || name_in(material) == name);
     const auto any_face = [&] {
         return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); });
     };
@@ -36,8 +36,6 @@ NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
         found.groups[k] = mesh.groups[k].name == name || mesh.groups[k].other == name;
     if (any_face())
         return found;
-    if (const std::string plain(name_in(name)); plain != name)
-        return faces_named(plain, mesh);
     for (const ObjGroup& group : mesh.groups)
         names.insert(names.end(), {group.name, group.other});
     std::vector<std::string> choices; // each once

@@ -3,8 +3,7 @@
 // numbers are checked after the whole file is read. `vt` adds a texture point; corners refer to it in the same way, but
 // a reference to one that does not exist is ignored. Normals do not matter for diffuse light and are skipped.
 //
-// `g` divides an object into groups, so a face after `o` and `g` has both names. A new `o` ends the group, unless no
-// face came between: then both name the same faces.
+// `g` divides an object into groups, so a face after `o` and `g` has both names. A new `o` ends the group.
 
 #include "scene/obj/obj_mesh.h"
 
@@ -20,7 +19,6 @@
 #include <map>
 #include <optional>
 #include <system_error>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -34,11 +32,10 @@ constexpr double largest_coordinate = 1e9;
 /// Free-form surfaces and included files: ignoring them would change the scene.
 constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp", "bsp", "cdp", "cdc", "call"};
 
-/// Statements that do not affect diffuse surfaces: lines, points and curves have no area.
-constexpr std::array<std::string_view, 30> harmless_keywords = {
-    "vn",     "vp",     "s",         "l",          "p",     "mg",    "lod",    "bevel", "c_interp", "d_interp",
-    "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech", "cstype", "deg",   "bmat",     "step",
-    "parm",   "trim",   "hole",      "scrv",       "sp",    "con",   "end",    "curv",  "curv2",    "csh"};
+/// Statements that do not affect diffuse surfaces: lines and points have no area.
+constexpr std::array<std::string_view, 16> harmless_keywords = {
+    "vn",       "vp",       "s",      "l",      "p",         "mg",         "lod",   "bevel",
+    "c_interp", "d_interp", "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech"};
 
 template <std::size_t size>
 bool contains(const std::array<std::string_view, size>& words, std::string_view word)
@@ -56,8 +53,6 @@ constexpr Rgb no_colour = {-1.0, -1.0, -1.0};
 std::optional<std::int64_t> reference(std::string_view text)
 {
     constexpr std::int64_t largest = std::numeric_limits<std::uint32_t>::max();
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-        text.remove_prefix(1);
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error == std::errc::invalid_argument || end != text.data() + text.size())
@@ -91,7 +86,6 @@ public:
                                "more");
         check_references();
         complete_colours();
-        drop_comments();
         mesh_.warnings = flaws_.warnings(mesh_.path);
         return std::move(mesh_);
     }
@@ -117,16 +111,14 @@ private:
             material_ = trimmed(rest);
             names_changed_ = true;
         } else if (keyword == "g") {
-            group_ = trimmed(rest);
-            object_is_last_ = group_is_used_ = false;
+            group_ = name_in(rest);
             names_changed_ = true;
         } else if (keyword == "o") {
-            object_ = trimmed(rest);
-            object_is_last_ = names_changed_ = true;
-            if (group_is_used_)
-                group_.clear();
+            object_ = name_in(rest);
+            group_.clear();
+            names_changed_ = true;
         } else if (keyword == "mtllib") {
-            library(trimmed(rest), place);
+            library(name_in(rest), place);
         } else if (contains(unsupported_keywords, keyword)) {
             refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
         } else if (!contains(harmless_keywords, keyword)) {
@@ -190,7 +182,7 @@ private:
     {
         const std::size_t slash = std::min(word.find('/'), word.size());
         const std::optional<std::int64_t> number = reference(word.substr(0, slash));
-        const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-' || c == '+'; };
+        const auto is_part = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-'; };
         if (!number || !std::all_of(word.begin() + static_cast<std::ptrdiff_t>(slash), word.end(), is_part))
             refuse(place, in_quotes(word) + " is not a corner, expected a vertex number, or `v/vt/vn`");
         if (*number == 0)
@@ -223,8 +215,6 @@ private:
             flaws_.add(unknown_numbers, line);
             return;
         }
-        if (mesh_.colours.capacity() < mesh_.vertices.size())
-            mesh_.colours.reserve(mesh_.vertices.capacity());
         mesh_.colours.resize(mesh_.vertices.size(), no_colour);
         mesh_.colours.back() = {srgb_decoded(red), srgb_decoded(green), srgb_decoded(blue)};
     }
@@ -255,12 +245,10 @@ private:
                 list.push_back(entry);
             return known->second;
         };
-        const auto& [last, other] = object_is_last_ ? std::tie(object_, group_) : std::tie(group_, object_);
-        const ObjGroup group = {last, other == last ? "" : other};
+        const ObjGroup group = group_.empty() || group_ == object_ ? ObjGroup{object_, ""} : ObjGroup{group_, object_};
         next_face_.material = number(material_numbers_, material_, mesh_.materials, ObjName{material_, line});
         next_face_.group = number(group_numbers_, std::pair(group.name, group.other), mesh_.groups, group);
         names_changed_ = false;
-        group_is_used_ = true;
     }
 
     /// Adds a `mtllib` statement unless it is a repetition: some exporters repeat it for every object.
@@ -307,17 +295,6 @@ private:
             mesh_.colours.resize(mesh_.vertices.size(), no_colour);
     }
 
-    /// Drops the comments after the names of groups and objects.
-    void drop_comments()
-    {
-        std::vector<std::string> names;
-        for (const ObjGroup& group : mesh_.groups)
-            names.insert(names.end(), {group.name, group.other});
-        names = without_comments(std::move(names));
-        for (std::size_t k = 0; k < mesh_.groups.size(); ++k)
-            mesh_.groups[k] = {names[2 * k], names[2 * k + 1]};
-    }
-
     TextLocation at_line(std::uint32_t line) const { return {mesh_.path, line}; }
 
     TextLines lines_;
@@ -325,8 +302,6 @@ private:
     std::string material_;
     std::string object_;
     std::string group_;
-    bool object_is_last_ = true; ///< of the last `o` and `g`
-    bool group_is_used_ = false; ///< a face followed the last `g`
     bool names_changed_ = true;
     ObjFace next_face_; ///< with the numbers of the current names
     std::unordered_map<std::string, std::uint32_t> material_numbers_;

@@ -43,7 +43,7 @@ struct ObjName
 struct ObjGroup
 {
     std::string name;  ///< the last one; "" before the first
-    std::string other; ///< the object that a `g` divides, or the group directly before an `o`; or ""
+    std::string other; ///< the object that a `g` divides; or ""
 };
 
 /// The contents of an OBJ file, before its polygons are cut and its materials are looked up.

@@ -55,9 +55,7 @@ Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLi
     Names missing;
     for (const ObjName& names : mesh.libraries) {
         const TextLocation place = {mesh.path, names.line};
-        MtlFiles named = find_mtl_files(names.name, place);
-        if (!named.missing.empty())
-            named = find_mtl_files(name_in(names.name), place);
+        const MtlFiles named = find_mtl_files(names.name, place);
         for (const std::string& file : named.found)
             if (!contains(scene.material_files, file))
                 scene.material_files.push_back(file);
@@ -73,37 +71,24 @@ Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLi
     return missing;
 }
 
-/// Gives the materials their names, without the comments after them. Of two materials of the mesh with one name the
-/// first remains. A ` # ` in `usemtl` is part of the name if the library has that name.
-void name_materials(MaterialLibrary& library, ObjMesh& mesh)
+/// Gives the materials of the mesh their names in the library, where a comment may follow either. Of two materials of
+/// the mesh with one name the first remains.
+void name_materials(const MaterialLibrary& library, ObjMesh& mesh)
 {
-    const std::unordered_map<std::string, std::uint32_t> number_of_text = std::move(library.number_of_name);
-    library.number_of_name.clear();
-    Names texts;
-    for (const MtlMaterial& material : library.materials)
-        texts.push_back(material.material.name);
-    const Names defined = without_comments(texts);
-    for (std::uint32_t k = 0; k < defined.size(); ++k) {
-        library.materials[k].material.name = defined[k];
-        library.number_of_name.emplace(defined[k], k);
-    }
-
-    texts.clear();
-    for (const ObjName& used : mesh.materials)
-        texts.push_back(used.name);
-    const Names plain = without_comments(texts);
+    std::unordered_map<std::string, std::uint32_t> defined = library.number_of_name;
+    for (std::uint32_t k = 0; k < library.materials.size(); ++k)
+        defined.emplace(name_in(library.materials[k].material.name), k);
     std::unordered_map<std::string, std::uint32_t> number_of_name;
     std::vector<std::uint32_t> numbers;
     std::vector<ObjName> materials;
-    for (std::size_t k = 0; k < texts.size(); ++k) {
-        auto found = number_of_text.find(texts[k]);
-        if (found == number_of_text.end())
-            found = number_of_text.find(std::string(name_in(texts[k])));
-        const std::string& name = found != number_of_text.end() ? defined[found->second] : plain[k];
+    for (const ObjName& used : mesh.materials) {
+        const std::string plain(name_in(used.name));
+        const auto found = defined.find(defined.count(used.name) > 0 ? used.name : plain);
+        const std::string& name = found != defined.end() ? library.materials[found->second].material.name : plain;
         const auto [entry, is_new] = number_of_name.emplace(name, static_cast<std::uint32_t>(materials.size()));
         numbers.push_back(entry->second);
         if (is_new)
-            materials.push_back({name, mesh.materials[k].line});
+            materials.push_back({name, used.line});
     }
     mesh.materials = std::move(materials);
     for (ObjFace& face : mesh.faces)
@@ -258,7 +243,7 @@ void warn_of_materials(const std::vector<MtlMaterial>& used, Names& warnings)
     warn("Kd = 1 reflects all light of a colour, lower it if that is not meant", reflects_everything);
     warn("no Kd, so the material reflects nothing",
          [](const MtlMaterial& m) { return m.kd_line == 0 && m.material.reflectance == Rgb{}; });
-    warn("transparent by `d` or `Tr`, but opaque here unless its faces are ignored",
+    warn("transparent by `d`, but opaque here unless its faces are ignored",
          [](const MtlMaterial& m) { return m.opacity < 1.0; });
 }
 

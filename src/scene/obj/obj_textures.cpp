@@ -21,37 +21,25 @@
 
 namespace multipath {
 
-namespace {
-
-/// Reads an image file. Throws ImageError if it cannot be read or is larger than 256 MB.
-std::string bytes_of_image(const std::string& path)
-{
-    constexpr std::uintmax_t most = std::uintmax_t{1} << 28;
-    std::error_code error;
-    if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > most)
-        throw ImageError(error ? "cannot be read" : "is larger than 256 MB");
-    try {
-        return bytes_of_file(path);
-    } catch (const InputError&) {
-        throw ImageError("cannot be read");
-    }
-}
-
-} // namespace
-
 const TextureFiles::Loaded& TextureFiles::load(const TextureMap& map)
 {
     const auto [entry, is_new] = known_.try_emplace({map.found, map.repeats});
     Loaded& loaded = entry->second;
     if (!is_new)
         return loaded;
+    constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 28;
     try {
         if (map.found.empty())
             throw ImageError("not found");
+        std::error_code error;
+        if (std::filesystem::file_size(map.found, error) > most_bytes && !error)
+            throw ImageError("is larger than 256 MB");
         loaded.texture = std::make_shared<const Texture>(std::filesystem::path(map.found).filename().string(),
-                                                         bytes_of_image(map.found), map.repeats);
+                                                         bytes_of_file(map.found), map.repeats);
     } catch (const ImageError& error) {
         loaded.problem = error.what();
+    } catch (const InputError&) {
+        loaded.problem = "cannot be read";
     }
     return loaded;
 }

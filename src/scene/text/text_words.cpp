@@ -12,8 +12,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace multipath {
 
@@ -110,6 +108,11 @@ bool equal_but_for_case(std::string_view a, std::string_view b)
     return lower_case(a) == lower_case(b);
 }
 
+bool ends_in(std::string_view name, std::string_view ending)
+{
+    return name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
+}
+
 std::string_view without_comment(std::string_view text)
 {
     std::size_t i = text.find('#');
@@ -127,18 +130,6 @@ std::string_view name_in(std::string_view rest)
             return trimmed(rest.substr(0, i));
     }
     return trimmed(rest);
-}
-
-std::vector<std::string> without_comments(std::vector<std::string> texts)
-{
-    const std::set<std::string> different(texts.begin(), texts.end());
-    std::map<std::string, std::size_t> uses;
-    for (const std::string& text : different)
-        ++uses[std::string(name_in(text))];
-    for (std::string& text : texts)
-        if (const std::string name(name_in(text)); uses[name] == 1)
-            text = name;
-    return texts;
 }
 
 std::optional<double> to_number(std::string_view word)

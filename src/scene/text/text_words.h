@@ -25,6 +25,9 @@ std::string_view next_word(std::string_view& rest);
 /// True if two names differ at most in the case of their letters (ASCII).
 bool equal_but_for_case(std::string_view a, std::string_view b);
 
+/// True if a file name ends in `ending`, in upper or lower case.
+bool ends_in(std::string_view name, std::string_view ending);
+
 /// The text before the first `#`, for statements whose arguments are numbers. A `#` after a point is part of a number
 /// that is not finite, as in the "1.#INF" and "-1.#IND" of old C libraries.
 std::string_view without_comment(std::string_view text);
@@ -32,10 +35,6 @@ std::string_view without_comment(std::string_view text);
 /// The name in the argument of a statement. A name may contain blanks. Since exporters write names such as "Material
 /// #25", a `#` begins a comment only if it has a blank, or the beginning or end of the text, on both sides.
 std::string_view name_in(std::string_view rest);
-
-/// The names of a file, each as name_in() reads it; but texts that would become the same name, such as "Paint # 2" and
-/// "Paint # 3", are names themselves.
-std::vector<std::string> without_comments(std::vector<std::string> texts);
 
 /// Parses a finite decimal number, correctly rounded; returns nothing for any other word. The decimal point is always
 /// ".".

@@ -10,22 +10,11 @@ namespace multipath {
 
 namespace {
 
-bool begins_like(std::string_view bytes, std::string_view start)
-{
-    return bytes.substr(0, start.size()) == start;
-}
-
 bool begins_like_pnm(std::string_view bytes)
 {
     using namespace std::string_view_literals;
     return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
            " \t\n\v\f\r"sv.find(bytes[2]) != std::string_view::npos;
-}
-
-bool is_named_tga(std::string_view name)
-{
-    constexpr std::string_view ending = ".tga";
-    return name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
 }
 
 } // namespace
@@ -35,9 +24,9 @@ void require_bitmap_size(std::uint32_t width, std::uint32_t height)
     const std::uint64_t pixels = std::uint64_t{width} * height;
     if (pixels == 0)
         throw ImageError("has no pixels");
-    if (pixels > std::uint64_t{1} << 26)
+    if (pixels > std::uint64_t{1} << 26 || width > 1u << 16)
         throw ImageError(std::to_string(width) + " x " + std::to_string(height) +
-                         " pixels are too many, expected at most 2^26");
+                         " pixels are too many, expected at most 2^26, and 2^16 in a row");
 }
 
 Bitmap blank_bitmap(std::uint32_t width, std::uint32_t height, bool has_alpha)
@@ -56,15 +45,15 @@ void drop_unused_alpha(Bitmap& bitmap)
 
 Bitmap read_image(std::string_view name, std::string_view bytes)
 {
-    if (begins_like(bytes, "\x89PNG\r\n\x1a\n"))
+    if (bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n")
         return read_png(bytes);
-    if (begins_like(bytes, "\xff\xd8"))
+    if (bytes.substr(0, 2) == "\xff\xd8")
         return read_jpeg(bytes);
-    if (begins_like(bytes, "BM"))
+    if (bytes.substr(0, 2) == "BM")
         return read_bmp(bytes);
     if (begins_like_pnm(bytes))
         return read_pnm(bytes);
-    if (is_named_tga(name))
+    if (ends_in(name, ".tga"))
         return read_tga(bytes);
     throw ImageError("is not a PNG, JPEG, TGA, BMP or PPM file");
 }

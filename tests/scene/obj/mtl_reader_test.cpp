@@ -108,19 +108,16 @@ TEST_CASE("emission comes from Ke or from Ka, never from both")
     CHECK(contains(read(text, EmissionFrom::ka).warnings.at(0), "a.mtl:3: ignored, since only Kd and Ka count: `Ke`"));
 }
 
-TEST_CASE("opacity is d, or what Tr leaves, or unknown")
+TEST_CASE("opacity is d, or unknown")
 {
     const auto opacity = [](const std::string& lines) { return read("newmtl a\n" + lines).materials[0].opacity; };
     CHECK(opacity("Kd 1\n") == 1.0);
     CHECK(opacity("d 0.25\n") == 0.25);
-    CHECK(opacity("d -halo 0.5\n") == 0.5);
-    CHECK(opacity("Tr 0.75\n") == 0.25);
-    CHECK(opacity("Tr 1\n") == 1.0); // some exporters mean opaque
-    CHECK(opacity("d 1\nTr 0.5\n") == 1.0);
-    CHECK(opacity("Tr 0.5\nd 1\n") == 1.0);
-    CHECK(opacity("d 7\n") == 1.0);
+    CHECK(opacity("d 0.25 # of glass\n") == 0.25);
+    CHECK(opacity("Tr 0.75\n") == 1.0); // exporters disagree whether it is that or the transparency
+    CHECK(opacity("d 0.25\nTr 0.5\n") == 0.25);
     CHECK(opacity("d\n") == 1.0);
-    CHECK(read("newmtl a\nd 1\nnewmtl b\nTr 0.5\n").materials[1].opacity == 0.5);
+    CHECK(read("newmtl a\nd 0.5\nnewmtl b\nKd 1\n").materials[1].opacity == 1.0);
 }
 
 namespace {

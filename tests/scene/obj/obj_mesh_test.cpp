@@ -31,7 +31,7 @@ std::string problem(const std::string& text)
 
 TEST_CASE("corners may have texture coordinates and normals in any notation")
 {
-    for (const char* face : {"f 1 2 3", "f 1/7 2/8 3/9", "f 1//7 2//8 3//9", "f 1/1/1 2/2/2 3/3/3", "f +1 -2 3/-1",
+    for (const char* face : {"f 1 2 3", "f 1/7 2/8 3/9", "f 1//7 2//8 3//9", "f 1/1/1 2/2/2 3/3/3", "f 1 -2 3/-1",
                              "f\t1\t2 \t3\t", "f 1 2 3#comment", "f 1 2 \\\n3", "f \\\r\n 1 2 3 \\ \r\n"}) {
         CAPTURE(face);
         const LargeVector<ObjCorner> corners = parse(triangle + face + "\n").corners;
@@ -78,19 +78,19 @@ TEST_CASE("a name keeps its blanks, its number sign and its backslash, but no co
     CHECK(mesh.faces.size() == 4);
 }
 
-TEST_CASE("a face has the names of its object and its group, whichever came last")
+TEST_CASE("a face has the names of its object and of the group that divides it")
 {
     const ObjMesh mesh =
-        parse(triangle + "o a # first\ng b\nf 1 2 3\ng c # 1\nf 1 2 3\no d\nf 1 2 3\ng c # 2\no e\nf 1 2 3\n" +
+        parse(triangle + "o a # first\ng b\nf 1 2 3\ng c # 1\nf 1 2 3\no d\nf 1 2 3\ng #2\no e\nf 1 2 3\n" +
               "o f\ng f\nf 1 2 3\n");
     const auto names = [&](std::size_t face) {
         const ObjGroup& group = mesh.groups[mesh.faces[face].group];
         return group.name + " of " + group.other;
     };
     CHECK(names(0) == "b of a");
-    CHECK(names(1) == "c # 1 of a");
-    CHECK(names(2) == "d of ");      // a group ends with its object,
-    CHECK(names(3) == "e of c # 2"); // but not one without a face of its own
+    CHECK(names(1) == "c of a");
+    CHECK(names(2) == "d of "); // a group ends with its object
+    CHECK(names(3) == "e of ");
     CHECK(names(4) == "f of ");
 }
 

@@ -80,13 +80,19 @@ TEST_CASE("a number sign ends the numbers of a statement, but not within a numbe
     CHECK(without_comment("# a") == "");
 }
 
-TEST_CASE("a comment after a name is not part of it, unless two names differ only there")
+TEST_CASE("a comment after a name is not part of it")
 {
-    using Texts = std::vector<std::string>;
-    CHECK(without_comments({"wood # oak", "Material #25", "wood # oak", "a"}) ==
-          Texts{"wood", "Material #25", "wood", "a"});
-    CHECK(without_comments({"Paint # 2", "wood # oak", "Paint # 3"}) == Texts{"Paint # 2", "wood", "Paint # 3"});
-    CHECK(without_comments({"Paint", "Paint # 2"}) == Texts{"Paint", "Paint # 2"});
+    CHECK(name_in(" wood # oak") == "wood");
+    CHECK(name_in("Material #25 ") == "Material #25");
+    CHECK(name_in("#") == "");
+}
+
+TEST_CASE("the ending of a file name may be in upper or lower case")
+{
+    CHECK(ends_in("room.mtl", ".mtl"));
+    CHECK(ends_in("Wood.TgA", ".tga"));
+    CHECK_FALSE(ends_in("tga", ".tga"));
+    CHECK_FALSE(ends_in("room.mtl.txt", ".mtl"));
 }
 
 } // namespace text_words_test
