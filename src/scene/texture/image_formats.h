@@ -34,7 +34,8 @@ struct Bitmap
     const std::uint8_t* row(std::uint32_t y) const { return &rgb[std::size_t{3} * width * y]; }
 };
 
-/// Throws ImageError for an image without pixels or with more than 2^26 pixels (8192 x 8192).
+/// Throws ImageError for an image without pixels or with more than 2^26 pixels (8192 x 8192) or more than 2^16 in
+/// a row.
 void require_bitmap_size(std::uint32_t width, std::uint32_t height);
 
 /// Returns a black image, transparent if `has_alpha`. Throws ImageError like require_bitmap_size().
@@ -50,9 +51,9 @@ void drop_unused_alpha(Bitmap& bitmap);
 Bitmap read_png(std::string_view bytes);
 /// JPEG (ITU-T T.81): baseline, extended and progressive, Huffman coded, 8 bits, one, three or four components.
 Bitmap read_jpeg(std::string_view bytes);
-/// Truevision TGA, uncompressed or run-length encoded: palette, 15 to 32 bits of colour, or grey.
+/// Truevision TGA, uncompressed or run-length encoded: 24 or 32 bits of colour, or grey.
 Bitmap read_tga(std::string_view bytes);
-/// Windows bitmap of 1 to 32 bits per pixel, uncompressed or run-length encoded.
+/// Windows bitmap, uncompressed: a palette, or 24 or 32 bits of colour.
 Bitmap read_bmp(std::string_view bytes);
 /// Netpbm: the first image of a file of the types P1 to P6.
 Bitmap read_pnm(std::string_view bytes);

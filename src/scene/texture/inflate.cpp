@@ -217,19 +217,18 @@ private:
 
     std::uint32_t adler_32() const
     {
-        constexpr std::size_t sums_fit = 5552; // bytes before the second sum could exceed 32 bits
-        std::uint32_t a = 1;
-        std::uint32_t b = 0;
-        for (std::size_t first = 0; first < contents_.size(); first += sums_fit) {
-            const std::size_t last = std::min(first + sums_fit, contents_.size());
-            for (std::size_t i = first; i < last; ++i) {
-                a += contents_[i];
-                b += a;
+        constexpr std::size_t sums_fit = std::size_t{1} << 20; // bytes before the second sum could exceed 64 bits
+        std::uint64_t a = 1;
+        std::uint64_t b = 0;
+        for (std::size_t i = 0; i < contents_.size(); ++i) {
+            a += contents_[i];
+            b += a;
+            if (i % sums_fit == 0) {
+                a %= 65521;
+                b %= 65521;
             }
-            a %= 65521;
-            b %= 65521;
         }
-        return b << 16 | a;
+        return static_cast<std::uint32_t>(b % 65521 << 16 | a % 65521);
     }
 
     BitReader bits_;

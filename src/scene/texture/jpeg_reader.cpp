@@ -10,8 +10,8 @@
 // with 13 fractional bits in the constants and 2 in the intermediate result. Transform, interpolation and colours round
 // like libjpeg's default ("islow", "fancy upsampling"), so both decoders agree in every pixel of a sound file.
 //
-// Bytes between segments, the numbers of restart markers and a missing end marker are ignored, the last unless a
-// progressive file lacks scans. Any other violation of the standard is an error.
+// Bytes between segments, the numbers of restart markers and a missing end marker of a sequential file are ignored. Any
+// other violation of the standard is an error.
 
 #include "base/errors.h"
 #include "scene/texture/byte_reader.h"
@@ -27,9 +27,9 @@ namespace multipath {
 
 namespace {
 
-constexpr std::size_t jpeg_max_scans = 256;
 /// Limit of the blocks visited by all scans together: twenty complete scans of three components of 2^26 pixels.
 constexpr std::size_t jpeg_max_block_visits = std::size_t{1} << 26;
+constexpr std::size_t jpeg_least_visits = jpeg_max_block_visits / 256; ///< that a scan counts for: at most 256 scans
 
 /// Position in the block, row by row, of the k-th coefficient of the file (figure A.6).
 constexpr std::array<std::uint8_t, 64> jpeg_zigzag = {0,  1,  8,  16, 9,  2,  3,  10, 17, 24, 32, 25, 18, 11, 4,  5,
@@ -104,8 +104,7 @@ struct JpegComponent
     std::size_t quantization_index = 0;
     std::uint32_t width = 0; ///< [samples]
     std::uint32_t height = 0;
-    std::array<bool, 64> is_exact = {}; ///< per coefficient: a progressive scan has coded its last bit
-    std::uint32_t blocks_x = 0;         ///< without blocks that only pad the last MCU
+    std::uint32_t blocks_x = 0; ///< without blocks that only pad the last MCU
     std::uint32_t blocks_y = 0;
     std::size_t block_count() const { return std::size_t{blocks_x} * blocks_y; }
     std::size_t stride() const { return std::size_t{8} * blocks_x; } ///< [samples]
@@ -161,10 +160,12 @@ JpegVector jpeg_inverse_dct(const JpegVector& s, int shift)
     return result;
 }
 
-/// Dequantizes and transforms a block into `samples`, whose rows are `stride` apart.
-void transform_jpeg_block(const JpegBlock& block, const std::array<std::uint16_t, 64>& quantization,
-                          std::uint8_t* samples, std::size_t stride)
+/// Dequantizes and transforms a block into the samples of the component's block (block_x, block_y).
+void transform_jpeg_block(const JpegBlock& block, JpegComponent& component, std::size_t block_x, std::size_t block_y)
 {
+    const std::array<std::uint16_t, 64>& quantization = *component.quantization;
+    const std::size_t stride = component.stride();
+    std::uint8_t* const samples = &component.samples[8 * (block_y * stride + block_x)];
     std::array<JpegVector, 8> rows = {};
     for (std::size_t x = 0; x < 8; ++x) {
         JpegVector column = {};
@@ -231,11 +232,9 @@ public:
             else
                 read_segment(*marker, segment);
         }
-        const auto lacks_scan = [&](const JpegComponent& component) {
-            return !component.quantization ||
-                   (progressive_ && !ended && std::count(component.is_exact.begin(), component.is_exact.end(), false));
-        };
-        if (components_.empty() || std::any_of(components_.begin(), components_.end(), lacks_scan))
+        const auto lacks_scan = [](const JpegComponent& component) { return !component.quantization; };
+        if (components_.empty() || (progressive_ && !ended) ||
+            std::any_of(components_.begin(), components_.end(), lacks_scan))
             throw ImageError("ends too early");
         return convert();
     }
@@ -327,6 +326,10 @@ private:
             blocks += component.block_count();
         if (8 * least_part * bytes_.size() < blocks)
             throw ImageError("ends too early");
+        for (JpegComponent& component : components_) {
+            component.samples.assign(64 * component.block_count(), 128);
+            component.coefficients.resize(progressive_ ? component.block_count() : 0);
+        }
         picture_ = blank_bitmap(width, height);
         picture_.is_of_inks = count == 4;
     }
@@ -381,8 +384,6 @@ private:
             if ((needs_dc && component->dc->empty()) || (needs_ac && component->ac->empty()))
                 throw ImageError("a Huffman table is missing");
         }
-        if (scans_++ == 0)
-            allocate_blocks();
 
         // In a scan of several components, an MCU has h x v blocks of each of them; in a scan of a single component, it
         // is one block (A.2).
@@ -395,8 +396,8 @@ private:
         std::size_t blocks_per_mcu = 0;
         for (const JpegComponent* component : scan_.components)
             blocks_per_mcu += interleaved ? component->h * component->v : 1;
-        block_visits_ += mcus_x * mcus_y * blocks_per_mcu;
-        if (scans_ > jpeg_max_scans || block_visits_ > jpeg_max_block_visits)
+        block_visits_ += std::max(mcus_x * mcus_y * blocks_per_mcu, jpeg_least_visits);
+        if (block_visits_ > jpeg_max_block_visits)
             throw ImageError("the JPEG file has too many scans");
 
         begin_interval(position);
@@ -416,19 +417,7 @@ private:
                     decode_block(*component, mcu_x * h + i % h, mcu_y * v + i / h);
             }
         }
-        for (JpegComponent* component : scan_.components)
-            for (unsigned k = scan_.first; k <= scan_.last && scan_.low == 0; ++k)
-                component->is_exact[k] = true;
         return position;
-    }
-
-    void allocate_blocks()
-    {
-        for (JpegComponent& component : components_)
-            if (progressive_)
-                component.coefficients.resize(component.block_count());
-            else
-                component.samples.assign(64 * component.block_count(), 128);
     }
 
     /// Begins the data up to the next restart marker, to which `position` is moved, or to the end of the scan.
@@ -451,7 +440,7 @@ private:
         decode_dc(component, block);
         decode_ac(component, block);
         if (is_inside)
-            transform(component, block, x, y);
+            transform_jpeg_block(block, component, x, y);
     }
 
     /// Decodes the coefficients of a block that a progressive scan contains (G.1.2).
@@ -549,12 +538,6 @@ private:
                 refine(block[jpeg_zigzag[k]]);
     }
 
-    static void transform(JpegComponent& component, const JpegBlock& block, std::size_t x, std::size_t y)
-    {
-        const std::size_t stride = component.stride();
-        transform_jpeg_block(block, *component.quantization, &component.samples[8 * (y * stride + x)], stride);
-    }
-
     /// Row `y` of a component in the resolution of the image. Half resolution is interpolated with weights 3/4 of the
     /// nearest sample and 1/4 of its neighbour; alternating rounding avoids a bias. For other ratios samples are
     /// repeated.
@@ -584,19 +567,14 @@ private:
             for (std::size_t x = 0; x < sums.size(); ++x)
                 sums[x] = 3 * near[x] + far[x];
         }
-        if (!half_width) {
-            for (std::size_t x = 0; x < row.size(); ++x)
-                row[x] = static_cast<std::uint8_t>((sums[x] + (y % 2 == 0 ? 1 : 2)) >> 2);
-            return row;
-        }
-        const int shift = half_height ? 4 : 2;
-        const int rounding_left = half_height ? 8 : 1;
-        const int rounding_right = half_height ? 7 : 2;
+        const bool in_both = half_width && half_height;
         for (std::size_t x = 0; x < row.size(); ++x) {
-            const std::size_t i = x / 2;
-            const int sum = x % 2 == 0 ? sums[i - (i > 0)] + rounding_left
-                                       : sums[std::min(i + 1, sums.size() - 1)] + rounding_right;
-            row[x] = static_cast<std::uint8_t>((3 * sums[i] + sum) >> shift);
+            const std::size_t i = half_width ? x / 2 : x;
+            const bool is_odd = (half_width ? x : y) % 2 == 1;
+            const std::size_t beside = is_odd ? std::min(i + 1, sums.size() - 1) : i - (i > 0);
+            const int sum = half_width ? 3 * sums[i] + sums[beside] : sums[i];
+            const int rounding = in_both ? 8 - is_odd : 1 + is_odd;
+            row[x] = static_cast<std::uint8_t>((sum + rounding) >> (in_both ? 4 : 2));
         }
         return row;
     }
@@ -617,11 +595,9 @@ private:
     Bitmap convert()
     {
         for (JpegComponent& component : components_) {
-            if (!progressive_)
-                break; // the samples exist already
-            component.samples.assign(64 * component.block_count(), 128);
-            for (std::size_t i = 0; i < component.block_count(); ++i)
-                transform(component, component.coefficients[i], i % component.blocks_x, i / component.blocks_x);
+            for (std::size_t i = 0; i < component.coefficients.size(); ++i)
+                transform_jpeg_block(component.coefficients[i], component, i % component.blocks_x,
+                                     i / component.blocks_x);
             component.coefficients = {};
         }
         std::array<std::vector<std::uint8_t>, 4> rows;
@@ -669,7 +645,6 @@ private:
     BitReader bits_{{}}; ///< state of the current scan
     JpegScan scan_;
     unsigned end_of_band_run_ = 0;
-    std::size_t scans_ = 0;
     std::size_t block_visits_ = 0;
 };
 

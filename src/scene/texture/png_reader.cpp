@@ -79,7 +79,8 @@ private:
         const std::uint8_t compression = header.byte();
         const std::uint8_t filter = header.byte();
         const std::uint8_t interlace = header.byte();
-        samples_ = samples_of(colour_type_);
+        constexpr std::array<unsigned, 7> samples_of_type = {1, 0, 3, 1, 2, 0, 4};
+        samples_ = colour_type_ < samples_of_type.size() ? samples_of_type[colour_type_] : 0;
         const bool is_power_of_two = depth_ != 0 && (depth_ & (depth_ - 1)) == 0;
         const unsigned least = colour_type_ == grey || colour_type_ == indexed ? 1 : 8;
         const unsigned most = colour_type_ == indexed ? 8 : 16;
@@ -89,23 +90,6 @@ private:
             throw ImageError("uses an unknown compression method");
         is_interlaced_ = interlace == 1;
         require_bitmap_size(width_, height_);
-    }
-
-    static unsigned samples_of(unsigned colour_type)
-    {
-        switch (colour_type) {
-        case grey:
-        case indexed:
-            return 1;
-        case grey_alpha:
-            return 2;
-        case rgb:
-            return 3;
-        case rgb_alpha:
-            return 4;
-        default:
-            return 0;
-        }
     }
 
     void read_palette(std::string_view data)
