@@ -4,7 +4,6 @@
 #include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
-#include "scene/partitions.h"
 #include "scene/surface_edges.h"
 #include "scene/tessellation.h"
 
@@ -105,7 +104,7 @@ constexpr std::size_t most_coincident_pairs = 10000;
 constexpr double share_that_matters = 0.005;
 constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller losses are not reported
 /// Kinds of findings that are remarks whatever their share.
-constexpr std::array<std::string_view, 3> remarks = {"open", "reflectance", "partition"};
+constexpr std::array<std::string_view, 2> remarks = {"open", "reflectance"};
 
 const std::vector<Advice> turn_all = {{Remedy::flip, "", "turns all faces over"}};
 
@@ -151,7 +150,6 @@ public:
         reader_flaws();
         scale();
         coarse_patches();
-        partitions();
         for (Finding& finding : findings_)
             finding.makes_wrong_result = std::max(finding.power_share, finding.area_share) >= share_that_matters &&
                                          std::find(remarks.begin(), remarks.end(), finding.kind) == remarks.end();
@@ -429,22 +427,6 @@ private:
             {{Remedy::patch_size, format("%g", finer),
               "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
                   " patches instead of " + grouped(scene_.patch_count())}});
-    }
-
-    /// Reports surfaces that run on below partitions: those that cut_at_partitions() left whole.
-    void partitions()
-    {
-        const PartitionedSurfaces found = find_partitioned_surfaces(file_.without_sky(), scene_.two_sided());
-        double parted_area = 0.0;
-        for (const std::uint32_t s : found.surfaces)
-            parted_area += area(s);
-        if (!found.surfaces.empty() || !found.complete)
-            add("partition", found.surfaces.empty() ? file_.path : place_of(found.surfaces[0]),
-                (found.complete ? "" : "too many faces touch to test all; at least ") +
-                    counted(found.surfaces.size(), "face") +
-                    " below partitions, whose patches carry light to the other side, cut them there: " +
-                    names_of(found.surfaces),
-                0.0, parted_area / area_of_surfaces());
     }
 
     const Scene& scene_;

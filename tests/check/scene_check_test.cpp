@@ -3,7 +3,6 @@
 #include "check/scene_report.h"
 #include "radiosity/paper/line_budget.h"
 #include "sampling/sequence.h"
-#include "scene/partitions.h"
 #include "scene/tessellation.h"
 #include "test_scenes.h"
 
@@ -184,22 +183,6 @@ TEST_CASE("walls left uncut for many small triangles are pointed out, unless the
     CHECK(advised_patches(false) > 4006.0);
     CHECK(advised_patches(true) == 2.0 * advised_patches(false));
     CHECK(find(findings_of(m.builder.scene(1.01 * size)), "coarse-patches").kind.empty());
-}
-
-TEST_CASE("the four sides of a room that a sheet divides are counted")
-{
-    for (const double x : {1.0, 1.25}) {
-        Materials m;
-        m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
-        m.builder.rectangle({x, 0, 0}, {0, 2, 0}, {0, 0, 2}, m.wall);
-        m.builder.rectangle({x, 0, 0}, {0, 0, 2}, {0, 2, 0}, m.wall);
-        const Finding found = find(findings_of(m.builder.scene(0.5)), "partition");
-        CHECK(mentions(found, "4 faces"));
-        CHECK(found.area_share == doctest::Approx(4 * 4.0 / 32.0));
-        SceneFile file = m.builder.file();
-        cut_at_partitions(file, false);
-        CHECK(find(findings_of(Scene(file, 0.5)), "partition").kind.empty());
-    }
 }
 
 TEST_CASE("a leak is wrong, an open side or a tiny gap is a remark")

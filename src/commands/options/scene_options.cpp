@@ -193,9 +193,9 @@ Scene read_scene(const CommandLine& line, int threads)
     if (line.has("flip"))
         file = flipped(std::move(file));
     constexpr bool either_side = true; // which way surfaces face is decided when their light is known
-    if (const PartitionCuts cuts = cut_at_partitions(file, either_side); cuts.surfaces > 0)
-        file.counts +=
-            "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) + " where partitions stand";
+    if (const PartitionCuts cuts = cut_at_partitions(file, either_side); cuts.surfaces > 0 || !cuts.complete)
+        file.counts += "; " + counted(cuts.surfaces, "surface") + " cut into " + grouped(cuts.pieces) +
+                       " where partitions stand" + (cuts.complete ? "" : ", too many to cut all");
     const double sides = line.has("two-sided") ? 2.0 : 1.0;
     const auto surfaces = static_cast<double>(file.surfaces.size());
     const auto adaptive = static_cast<double>(adaptive_patches(line, file.surfaces)) / sides;
