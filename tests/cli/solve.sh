@@ -316,11 +316,11 @@ check "a sequence that is too short is refused" too_short
 family_options() {
     ends 0 solve "$scene" $quick -q --method transillumination --bundle 16 -o a.csv && ends 2 solve "$scene" --method transillumination --bundle 0 &&
         ends 2 solve "$scene" $quick --bundle 16 && says err "no effect" &&
-        ends 0 solve "$root/scenes/5cubes.obj" $quick --method jacobi --important floor --replicates 2 -o b.csv && says err "important " && says err "noise" &&
-        ends 0 solve "$root/scenes/5cubes.obj" $quick -q --json --method jacobi --important view --eye 1.5,1,2.9 --target 1.5,1,0 --replicates 2 -o c.csv &&
-        says out '"important_relative_standard_error": 0' && ends 2 solve "$root/scenes/5cubes.obj" $quick --method jacobi --important view && says err "expected --eye and --target" &&
-        ends 1 solve "$root/scenes/5cubes.obj" $quick --method jacobi --important nothing && says err "no object or material is called 'nothing'" &&
-        ends 2 solve "$root/scenes/5cubes.obj" $quick --method extended --important floor && says err "no effect"
+        ends 0 solve "$root/scenes/5cubes.obj" $quick --method reuse --important floor --replicates 2 -o b.csv && says err "important " && says err "noise" &&
+        ends 0 solve "$root/scenes/5cubes.obj" $quick -q --json --method reuse --important view --eye 1.5,1,2.9 --target 1.5,1,0 --replicates 2 -o c.csv &&
+        says out '"important_relative_standard_error": 0' && ends 2 solve "$root/scenes/5cubes.obj" $quick --method reuse --important view && says err "expected --eye and --target" &&
+        ends 1 solve "$root/scenes/5cubes.obj" $quick --method reuse --important nothing && says err "no object or material is called 'nothing'" &&
+        ends 2 solve "$root/scenes/5cubes.obj" $quick --method jacobi --important floor && says err "no effect"
 }
 check "the options of the family of methods are followed, and refused where they have no effect" family_options
 

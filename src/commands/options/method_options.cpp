@@ -76,8 +76,7 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
          "For reuse without a table of pairs: smooth the light of neighbouring patches within its noise.", false,
          names_of(yes_or_no)},
         {"important", 0, "WHAT", "",
-         "For reuse and jacobi: more rays for an object or material of this name, or for what the cameras see "
-         "(view)."}};
+         "For reuse: more rays for an object or material of this name, or for what the cameras see (view)."}};
     if (with_reuse)
         group.options.insert(group.options.end(), for_reuse.begin(), for_reuse.end());
     return group;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sampling/sequence.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -11,7 +10,7 @@ namespace multipath {
 
 /// Importance of the patches (Smits, Arvo, Salesin: An importance-driven radiosity algorithm, 1992). The goal is a
 /// small weighted square error: the sum of w_i A_i (error of B_i)^2 over all patches i, where w_i [1] is the weight of
-/// patch i, A_i its area and B_i its radiosity.
+/// patch i, A_i its area and B_i its radiosity ((I1) in docs/equations.md).
 struct Importance
 {
     std::vector<double> weight; ///< w_i [1] per patch, >= 0, not all 0
@@ -25,13 +24,6 @@ struct Importance
     /// [1] Influence Z_i that a watt leaving patch i has on the important patches, for every i: the solution of Z_i =
     /// sum over j of F_ij (rho_j sqrt(w_j) + rho_j Z_j), truncated after a few reflections. `mean` estimates the sum.
     std::vector<double> influence(const Scene& scene, const MeanOverRays& mean, int threads) const;
-
-    /// [1/m] Noise factor sigma_i of each patch i: the square root of the expected weighted square error that a single
-    /// ray of 1 W from patch i would cause ((I1) in docs/equations.md). If patch i sends the power P_i, the error is
-    /// smallest with rays in proportion to P_i sigma_i. Estimated by `rays_per_patch` >= 1 rays from each patch, one
-    /// item per ray from first_item on in the order of the patches.
-    std::vector<double> noise_factors(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                                      std::uint32_t rays_per_patch, int threads) const;
 };
 
 } // namespace multipath

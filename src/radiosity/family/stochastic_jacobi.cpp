@@ -4,7 +4,6 @@
 
 #include "radiosity/family/stochastic_jacobi.h"
 
-#include "base/errors.h"
 #include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
@@ -91,21 +90,17 @@ void JacobiIterations::visit(Archive& archive)
 
 namespace {
 
-/// Scales the values to the sum 1, unless all are 0.
-void normalise(std::vector<double>& shares)
+/// Scales the values to the sum 1. Returns false if all are 0.
+bool normalise(std::vector<double>& shares)
 {
     double sum = 0.0;
     for (const double share : shares)
         sum += share;
+    if (!(sum > 0.0))
+        return false;
     for (double& share : shares)
-        share *= sum > 0.0 ? 1.0 / sum : 1.0;
-}
-
-/// Replaces a by (1 - part) a + part b.
-void mix(std::vector<double>& a, const std::vector<double>& b, double part)
-{
-    for (std::size_t i = 0; i < a.size(); ++i)
-        a[i] = (1.0 - part) * a[i] + part * b[i];
+        share *= 1.0 / sum;
+    return true;
 }
 
 /// Fraction of the rays for each patch, in proportion to the power that it sends (mean of the channels). Since this
@@ -120,36 +115,10 @@ std::vector<double> shares_of_rays(const Scene& scene, const std::vector<Rgb>& p
         reflecting.push_back(scene.area(i) * mean(scene.reflectance(i)));
     }
     normalise(shares);
-    normalise(reflecting);
-    const bool any = std::any_of(reflecting.begin(), reflecting.end(), [](double share) { return share > 0.0; });
-    mix(shares, reflecting, any ? unknown : 0.0);
+    if (normalise(reflecting))
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            shares[i] = (1.0 - unknown) * shares[i] + unknown * reflecting[i];
     return shares;
-}
-
-/// Adapts the distribution of rays to important patches. A tenth of the rays keep the distribution `shares`. Of the
-/// others, three quarters go in proportion to the power times its noise factor (I1); the factors come from few rays, so
-/// their mean square is added. A quarter leave the important patches themselves, since in both directions they also
-/// carry the power of the patches that these see.
-void favour(const Scene& scene, const Importance& importance, const std::vector<double>& noise_factors,
-            const std::vector<Rgb>& power, std::vector<double>& shares)
-{
-    double all_squares = 0.0;
-    double all_power = 0.0;
-    for (std::uint32_t i = 0; i < power.size(); ++i) {
-        all_squares += mean(power[i]) * noise_factors[i] * noise_factors[i];
-        all_power += mean(power[i]);
-    }
-    const double usual_square = all_power > 0.0 ? all_squares / all_power : 0.0;
-    std::vector<double> towards;
-    std::vector<double> from;
-    for (std::uint32_t i = 0; i < power.size(); ++i) {
-        towards.push_back(mean(power[i]) * std::sqrt(noise_factors[i] * noise_factors[i] + usual_square));
-        from.push_back(scene.area(i) * mean(scene.reflectance(i)) * std::sqrt(importance.weight[i]));
-    }
-    normalise(towards);
-    normalise(from);
-    mix(towards, from, 0.25);
-    mix(shares, towards, 0.9);
 }
 
 /// The rays of a patch in all iterations. They have consecutive items, so that together they are evenly spread.
@@ -353,10 +322,8 @@ namespace {
 struct IterationPlan
 {
     RayPlan rays;
-    std::uint64_t lines;           ///< of the iterations
-    std::uint64_t first_item;      ///< of the iterations
-    std::uint64_t importance_rays; ///< cast for the plan
-    double importance_checksum;    ///< identifies the important patches in a checkpoint
+    std::uint64_t lines;      ///< of the iterations
+    std::uint64_t first_item; ///< of the iterations
 
     /// The stage of the iteration that casts the lines done ... done + next - 1.
     RayStage stage(const Run& run, const std::vector<Rgb>& power, std::uint64_t done, std::uint64_t next) const
@@ -377,25 +344,10 @@ IterationPlan plan_iterations(const Run& run, const std::vector<Rgb>& power)
     const Scene& scene = run.scene;
     // After m rays, each of n_p patches has received about m / n_p of them.
     const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(run.solution.local_lines + 1);
-    std::vector<double> shares = shares_of_rays(scene, power, std::clamp(unknown, 0.02, 0.5));
-    std::uint64_t importance_rays = 0;
-    double importance_checksum = 0.0;
-    if (const Importance* const importance = run.options.importance.get()) {
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            importance_checksum += importance->weight[i] * (1.0 + i);
-        const auto per_patch =
-            static_cast<std::uint32_t>(std::min<std::uint64_t>(16, run.lines_left() / 32 / scene.patch_count()));
-        importance_rays = std::uint64_t{per_patch} * scene.patch_count();
-        const std::vector<double> noise_factors =
-            per_patch > 0
-                ? importance->noise_factors(scene, *run.sequence, run.next_item(), per_patch, run.options.threads)
-                : std::vector<double>(scene.patch_count(), 1.0); // too few lines for an estimate
-        favour(scene, *importance, noise_factors, power, shares);
-    }
-    const std::uint64_t lines = run.lines_left() - importance_rays;
+    const std::vector<double> shares = shares_of_rays(scene, power, std::clamp(unknown, 0.02, 0.5));
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, run.options.seed), 0));
-    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.next_item() + importance_rays,
-            importance_rays, importance_checksum};
+    const std::uint64_t lines = run.lines_left();
+    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.next_item()};
 }
 
 } // namespace
@@ -411,14 +363,8 @@ void ray_iterations(Run& run)
     const Checkpoint::Part part(control.checkpoint, "iterations", [&](Archive& archive) {
         archive.value<std::uint64_t>("done", done);
         archive.value<std::uint64_t>("cast", cast);
-        double wanted = plan.importance_checksum;
-        archive.value<double>("importance", wanted);
-        if (wanted != plan.importance_checksum)
-            throw ArchiveError("in the state other patches are important");
         iterations.visit(archive);
     });
-    if (!part.resumed())
-        control.count_lines(plan.importance_rays);
     while (done < plan.lines) {
         const std::uint64_t next = iterations.next_lines(plan.lines - done);
         RayStage stage = plan.stage(run, iterations.power(), done, next);
@@ -430,7 +376,7 @@ void ray_iterations(Run& run)
     }
     if (done > 0)
         run.state = iterations.finish();
-    run.solution.local_lines += plan.importance_rays + cast;
+    run.solution.local_lines += cast;
     run.solved = true;
 }
 

@@ -75,10 +75,8 @@ void ray_series(Run& run);
 
 /// Iterations in which every patch sends all its power, by rays in proportion to it (J1) (J2). The state of the run is
 /// an estimate of all light, which must not be too poor: an error that all patches share decreases only by the factor
-/// rho per iteration. Replaces the state by the mean of this estimate and the iterations (JacobiIterations). If patches
-/// are important (SolveOptions::importance), up to a 32nd of the rays, at most 16 per patch, first estimate the noise
-/// factors (Importance::noise_factors). If the run is stopped, an unfinished iteration has no effect. Throws
-/// ArchiveError if the checkpoint has other important patches. A Stage.
+/// rho per iteration. Replaces the state by the mean of this estimate and the iterations (JacobiIterations). If the run
+/// is stopped, an unfinished iteration has no effect. A Stage.
 void ray_iterations(Run& run);
 
 /// A ray of an iteration, and the power that it carries (J1) (J2).

@@ -209,7 +209,7 @@ constexpr MethodInfo method_table[] = {
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
-     "bidirectional important", rays_and_iterations, "iteration"},
+     "bidirectional", rays_and_iterations, "iteration"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",

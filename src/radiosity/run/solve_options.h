@@ -51,8 +51,8 @@ struct SolveOptions
     Estimator estimator = Estimator::collision;   ///< for the methods local and gathering
     std::optional<std::uint64_t> bundle;          ///< parallel lines per direction, for transillumination; empty:
                                                   ///< about as many as directions
-    std::shared_ptr<const Importance> importance; ///< for the methods jacobi and reuse (reuse then makes no table of
-                                                  ///< all pairs); null: all patches are equally important
+    std::shared_ptr<const Importance> importance; ///< for the method reuse, which then makes no table of all pairs;
+                                                  ///< null: all patches are equally important
     Direct direct = Direct::gather;               ///< for the method reuse
     bool denoise = true;                          ///< for the method reuse without a table of all pairs
     bool all_pairs = true;                        ///< allows reuse to make a table of all pairs where that pays
