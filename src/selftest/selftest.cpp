@@ -219,45 +219,28 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
     return checks;
 }
 
-struct NamedChannel
+/// Power [W], mean of the channels, that the patches of each material reflect, for each run.
+std::vector<std::vector<double>> reflected_powers(const Scene& scene, const std::vector<Solution>& runs)
 {
-    const char* name;
-    double Rgb::*channel;
-};
-
-/// One channel for a grey scene, all three for others.
-std::vector<NamedChannel> channels_of(const Scene& scene)
-{
-    const auto is_grey = [](Rgb c) { return c.r == c.g && c.g == c.b; };
-    const std::vector<Material>& materials = scene.materials();
-    if (std::all_of(materials.begin(), materials.end(),
-                    [&](const Material& m) { return is_grey(m.reflectance) && is_grey(m.emittance); }))
-        return {{"grey", &Rgb::g}};
-    return {{"red", &Rgb::r}, {"green", &Rgb::g}, {"blue", &Rgb::b}};
-}
-
-/// Power [W] that the patches of each material reflect, for each run.
-std::vector<std::vector<Rgb>> reflected_powers(const Scene& scene, const std::vector<Solution>& runs)
-{
-    std::vector<std::vector<Rgb>> powers;
+    std::vector<std::vector<double>> powers;
     for (const Solution& run : runs) {
-        std::vector<Rgb> power(scene.materials().size());
+        std::vector<double> power(scene.materials().size());
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             power[scene.file().material[scene.surface_of(i)]] +=
-                scene.area(i) * (run.radiosity[i] - scene.emittance(i));
+                scene.area(i) * mean(run.radiosity[i] - scene.emittance(i));
         powers.push_back(std::move(power));
     }
     return powers;
 }
 
 /// The materials that reflect most power, at most most_materials, the brightest first.
-std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>& powers)
+std::vector<std::size_t> brightest_materials(const std::vector<std::vector<double>>& powers)
 {
     std::vector<double> sums(powers.front().size());
     std::vector<std::size_t> order;
     for (std::size_t m = 0; m < sums.size(); ++m) {
-        for (const std::vector<Rgb>& power : powers)
-            sums[m] += mean(power[m]);
+        for (const std::vector<double>& power : powers)
+            sums[m] += power[m];
         if (sums[m] > 0.0)
             order.push_back(m);
     }
@@ -268,31 +251,26 @@ std::vector<std::size_t> brightest_materials(const std::vector<std::vector<Rgb>>
 
 /// Bound of the power [W] that unshot light would still add to a material: twice what it would add if it were spread
 /// evenly over the scene.
-double missing_power(const Scene& scene, std::size_t material, double unshot, double Rgb::*channel)
+double missing_power(const Scene& scene, std::size_t material, double unshot)
 {
     double area = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         area += scene.file().material[scene.surface_of(i)] == material ? scene.area(i) : 0.0;
-    const double absorbed = std::max(0.01, 1.0 - scene.average_reflectance().*channel);
-    return 2.0 * unshot * scene.materials()[material].reflectance.*channel * area / scene.total_area() / absorbed;
+    const double absorbed = std::max(0.01, 1.0 - mean(scene.average_reflectance()));
+    return 2.0 * unshot * mean(scene.materials()[material].reflectance) * area / scene.total_area() / absorbed;
 }
 
-/// Checks of the reflected power of these materials in each channel; the expected value is still missing.
+/// Checks of the reflected power of these materials; the expected value is still missing.
 std::vector<Check> material_checks(const Scene& scene, const std::string& method,
                                    const std::vector<std::size_t>& materials,
-                                   const std::vector<std::vector<Rgb>>& powers, double unshot)
+                                   const std::vector<std::vector<double>>& powers, double unshot)
 {
     std::vector<Check> checks;
-    for (const std::size_t m : materials)
-        for (const NamedChannel& colour : channels_of(scene)) {
-            const Material& material = scene.materials()[m];
-            if (material.reflectance.*colour.channel <= 0.0)
-                continue;
-            Check check = {"agreement", method, scene_sequence, material.name + ", " + colour.name + " [W]"};
-            check.allowance = missing_power(scene, m, unshot, colour.channel);
-            checks.push_back(
-                measured_by(check, powers, [&](const std::vector<Rgb>& power) { return power[m].*colour.channel; }));
-        }
+    for (const std::size_t m : materials) {
+        Check check = {"agreement", method, scene_sequence, scene.materials()[m].name + " [W]"};
+        check.allowance = missing_power(scene, m, unshot);
+        checks.push_back(measured_by(check, powers, [&](const std::vector<double>& power) { return power[m]; }));
+    }
     return checks;
 }
 
@@ -312,14 +290,13 @@ Check reflected_check(const Scene& scene, const std::string& method, const std::
 {
     double least = 0.0;
     double most = 0.0;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        for (const NamedChannel& colour : channels_of(scene)) {
-            RunningMean reflected;
-            for (const Solution& run : runs)
-                reflected.add((run.radiosity[i] - scene.emittance(i)).*colour.channel);
-            least = std::min(least, reflected.mean() + 6.0 * reflected.standard_error());
-            most = std::max(most, reflected.mean());
-        }
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        RunningMean reflected;
+        for (const Solution& run : runs)
+            reflected.add(mean(run.radiosity[i] - scene.emittance(i)));
+        least = std::min(least, reflected.mean() + 6.0 * reflected.standard_error());
+        most = std::max(most, reflected.mean());
+    }
     Check check = {"power", method, scene_sequence, "least B - E, or 0 [W/m^2]", 0.0, least};
     check.allowance = 1e-6 * most;
     check.resolution = check.allowance;
@@ -374,7 +351,7 @@ std::vector<Check> scene_checks(const Scene& scene, const SelftestSettings& sett
         checks.push_back(balance_check("power", name, runs));
         checks.push_back(emitted_check(scene, name, runs));
         checks.push_back(reflected_check(scene, name, runs));
-        const std::vector<std::vector<Rgb>> powers = reflected_powers(scene, runs);
+        const std::vector<std::vector<double>> powers = reflected_powers(scene, runs);
         if (method == Method::local)
             materials = brightest_materials(powers);
         const std::vector<Check> found = material_checks(scene, name, materials, powers, mean_unshot(runs, method));
