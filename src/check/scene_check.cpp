@@ -1,11 +1,9 @@
 #include "check/scene_check.h"
 
-#include "base/elementary.h"
 #include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/surface_edges.h"
-#include "scene/tessellation.h"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +58,7 @@ std::size_t surfaces_per_search(const Scene& scene)
 CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
 {
     CoincidentPairs result;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs = result.pairs;
     const SurfaceList& surfaces = scene.surfaces();
     const std::size_t step = surfaces_per_search(scene);
     result.complete = step == 1;
@@ -68,6 +66,8 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
         const auto s = static_cast<std::uint32_t>(k);
         for (const Vec3 point : sample_points(surfaces[s], surfaces.size()))
             for (const std::uint32_t other : scene.intersector().coincident_surfaces(s, point)) {
+                if (!(dot(surfaces[s].normal(), surfaces[other].normal()) > 0.0))
+                    continue;
                 if (pairs.size() < most)
                     pairs.insert(std::minmax(s, other));
                 else
@@ -76,8 +76,6 @@ CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most)
         if (!result.complete && pairs.size() >= most)
             break;
     }
-    for (const auto& [first, second] : pairs)
-        result.pairs.push_back({first, second, dot(surfaces[first].normal(), surfaces[second].normal()) > 0.0});
     return result;
 }
 
@@ -106,8 +104,6 @@ constexpr double least_reported = 1e-5; ///< [1] share of the power; smaller los
 /// Kinds of findings that are remarks whatever their share.
 constexpr std::array<std::string_view, 2> remarks = {"open", "reflectance"};
 
-const std::vector<Advice> turn_all = {{Remedy::flip, "", "turns all faces over"}};
-
 bool emits(const Scene& scene, std::uint32_t surface)
 {
     return mean(scene.surface_material(surface).emittance) > 0.0;
@@ -119,13 +115,6 @@ std::string list_of(std::vector<std::string> names)
     for (std::string& name : names)
         name = "'" + name + "'";
     return first_of(names, most_names);
-}
-
-/// Rounded down to one significant digit.
-double one_digit(double value)
-{
-    const double unit = elementary::pow(10.0, std::floor(elementary::log10(value)));
-    return std::floor(value / unit) * unit;
 }
 
 /// Runs all checks of a scene, each of which appends its findings.
@@ -149,7 +138,6 @@ public:
         depth();
         reader_flaws();
         scale();
-        coarse_patches();
         for (Finding& finding : findings_)
             finding.makes_wrong_result = std::max(finding.power_share, finding.area_share) >= share_that_matters &&
                                          std::find(remarks.begin(), remarks.end(), finding.kind) == remarks.end();
@@ -192,11 +180,10 @@ private:
     {
         std::vector<std::uint32_t> order(counts.size());
         std::iota(order.begin(), order.end(), 0u);
-        const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(most_names, order.size()));
-        std::partial_sort(order.begin(), end, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return counts[a] > counts[b] || (counts[a] == counts[b] && a < b);
-        });
-        return {order.begin(), end};
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return counts[a] > counts[b]; });
+        order.resize(std::min(most_names, order.size()));
+        return order;
     }
 
     double share(Rgb part) const { return report_.trapped ? 0.0 : mean(part) / mean(report_.balance.emitted); }
@@ -222,20 +209,27 @@ private:
     {
         std::vector<std::uint32_t> idle;
         double idle_power = 0.0;
-        for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s)
-            if (emits(scene_, s) && survey_.departures[s] > 0 && survey_.arrivals[s] == 0) {
+        bool any_lights = false;
+        for (std::uint32_t s = 0; s < file_.surfaces.size(); ++s) {
+            if (!emits(scene_, s))
+                continue;
+            any_lights = any_lights || survey_.arrivals[s] > 0;
+            if (survey_.departures[s] > 0 && survey_.arrivals[s] == 0) {
                 idle.push_back(s);
                 idle_power += power(s);
             }
+        }
         if (idle.empty())
             return;
         const double part = idle_power / mean(scene_.source_power());
-        const bool inside_out = is_inside_out(scene_, survey_);
+        std::vector<Advice> advice;
+        if (!any_lights && !file_.is_flipped)
+            advice = {{Remedy::flip, "", "turns all faces over, if the scene is inside out"}};
         add("emitter", place_of(idle[0]),
             format("emitters that light nothing, facing away from everything (%.3g %% of the source power): ",
                    100.0 * part) +
-                names_of(idle) + (inside_out ? "; the scene is inside out" : "; reverse the order of their corners"),
-            part, 0.0, inside_out ? turn_all : std::vector<Advice>{});
+                names_of(idle) + "; reverse the order of their corners",
+            part, 0.0, advice);
     }
 
     void lost_behind()
@@ -253,9 +247,9 @@ private:
                 text += (s == surfaces[0] ? "" : ", ") + name_of(s) + format(" %.0f %%", percent);
         }
         const bool matters = lost >= share_that_matters;
-        std::vector<Advice> advice = matters && is_inside_out(scene_, survey_) ? turn_all : std::vector<Advice>{};
+        std::vector<Advice> advice;
         if (matters)
-            advice.push_back({Remedy::two_sided, "", "gives every face a back"});
+            advice = {{Remedy::two_sided, "", "gives every face a back"}};
         add("behind", place_of(surfaces[0]),
             text + (matters ? "; reverse these faces if they look the wrong way, or close the solids that they belong "
                               "to (a box on the floor needs its bottom, a lamp its back)"
@@ -296,20 +290,20 @@ private:
     void coincident_faces()
     {
         const CoincidentPairs found = find_coincident_faces(scene_, most_coincident_pairs);
-        std::vector<CoincidentFaces> hiding, equal, touching;
-        for (const CoincidentFaces& pair : found.pairs)
-            (!pair.same_side ? touching : are_equal(pair.first, pair.second) ? equal : hiding).push_back(pair);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> hiding, equal;
+        for (const auto& [first, second] : found.pairs)
+            (are_equal(first, second) ? equal : hiding).emplace_back(first, second);
         // Upper bounds of the hidden area and power: those of the smaller surface of each pair, each counted once.
         std::set<std::uint32_t> hidden;
         double hidden_area = 0.0, hidden_power = 0.0;
-        for (const CoincidentFaces& pair : hiding) {
-            const std::uint32_t smaller = area(pair.second) < area(pair.first) ? pair.second : pair.first;
+        for (const auto& [first, second] : hiding) {
+            const std::uint32_t smaller = area(second) < area(first) ? second : first;
             if (hidden.insert(smaller).second) {
                 hidden_area += area(smaller);
                 hidden_power += power(smaller);
             }
         }
-        const auto add_pairs = [&](const char* kind, const std::vector<CoincidentFaces>& pairs, const std::string& what,
+        const auto add_pairs = [&](const char* kind, const auto& pairs, const std::string& what,
                                    double power_share = 0.0, double area_share = 0.0) {
             if (!pairs.empty())
                 add(kind, place_of(pairs[0].second),
@@ -322,7 +316,6 @@ private:
                   "one or move it",
                   hidden_power / mean(scene_.source_power()), hidden_area / area_of_surfaces());
         add_pairs("copy", equal, "are the same twice, of which one counts");
-        add_pairs("coincident", touching, "touch with their fronts or backs, which is handled");
     }
 
     /// Adds a finding about the materials that satisfy a condition, with their share of the area.
@@ -404,31 +397,6 @@ private:
                     diagonal));
     }
 
-    /// Reports large patches of the default size: it follows from the total area and the number of surfaces, so among
-    /// thousands of small triangles large walls stay nearly uncut.
-    void coarse_patches()
-    {
-        if (scene_.patch_size() != default_patch_size(file_.without_sky()))
-            return;
-        double longest = 0.0;
-        for (std::uint32_t s = 0; s < scene_.own_surfaces(); ++s) {
-            const Surface cell = scene_.tessellation(s).uniform(0).cell(scene_.surfaces()[s], 0);
-            longest = std::max({longest, length(cell.edge_u), length(cell.edge_v)});
-        }
-        const double diagonal = scene_.own_bounds().diagonal();
-        if (longest <= diagonal / 15.0)
-            return;
-        const double finer = one_digit(diagonal / 50.0);
-        const double sides = scene_.two_sided() ? 2.0 : 1.0;
-        add("coarse-patches", file_.path,
-            format("the largest patches are %.4g long, %.2g %% of the scene, and show no finer shadows", longest,
-                   100.0 * longest / diagonal),
-            0.0, 0.0,
-            {{Remedy::patch_size, format("%g", finer),
-              "gives " + grouped(static_cast<std::uint64_t>(sides * cell_count(file_, finer))) +
-                  " patches instead of " + grouped(scene_.patch_count())}});
-    }
-
     const Scene& scene_;
     const SceneFile& file_;
     const LineSurvey& survey_;
@@ -441,21 +409,6 @@ private:
 std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report)
 {
     return SceneChecks(scene, report).findings();
-}
-
-bool is_inside_out(const Scene& scene, const LineSurvey& survey)
-{
-    if (scene.file().is_flipped)
-        return false;
-    bool sees_backs = false;
-    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
-        if (!emits(scene, s))
-            continue;
-        if (survey.arrivals[s] > 0)
-            return false;
-        sees_backs = sees_backs || survey.back_to_back[s] > 0;
-    }
-    return sees_backs;
 }
 
 } // namespace multipath

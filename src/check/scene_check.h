@@ -7,31 +7,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace multipath {
 
-/// Indices of two coplanar surfaces that overlap.
-struct CoincidentFaces
-{
-    std::uint32_t first;
-    std::uint32_t second;
-    /// True if both face the same way: lines then meet the smaller one, a convention of this program; false if they
-    /// face opposite ways.
-    bool same_side;
-};
-
 struct CoincidentPairs
 {
-    std::vector<CoincidentFaces> pairs; ///< first < second in each pair; sorted by first, then by second
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs; ///< indices of surfaces; first < second in each pair
     /// False if find_coincident_faces() found more than `most` pairs, or tested only some of the surfaces.
     bool complete = true;
 };
 
-/// Finds overlapping coplanar surfaces by testing sample points of each surface; returns at most `most` pairs. Small
-/// overlaps between the sample points are missed. If very many surfaces lie close together, only some of them are
-/// tested.
+/// Finds overlapping coplanar surfaces that face the same way, of which lines meet the smaller one, a convention of
+/// this program. Tests sample points of each surface; returns at most `most` pairs. Small overlaps between the sample
+/// points are missed. If very many surfaces lie close together, only some of them are tested.
 CoincidentPairs find_coincident_faces(const Scene& scene, std::size_t most);
 
 /// Indices, ascending, of the surfaces with an open edge: one that no other surface has in the opposite direction.
@@ -55,9 +47,5 @@ struct Finding
 /// each other, implausible materials and scale. `report` must be the result of report_on for this scene. Errors come
 /// before remarks; within each group, findings are sorted by descending share of power, then of area.
 std::vector<Finding> findings_of(const Scene& scene, const SceneReport& report);
-
-/// True if no emitter lights anything, but some emitter would if all faces were flipped: a room modelled inside out.
-/// Always false for a two-sided scene and for one that was flipped.
-bool is_inside_out(const Scene& scene, const LineSurvey& survey);
 
 } // namespace multipath

@@ -21,7 +21,7 @@ namespace {
 LineSurvey empty_survey(const Scene& scene)
 {
     const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
-    return {0, 0, 0, 0, zeros, zeros, zeros, zeros};
+    return {0, 0, 0, 0, zeros, zeros, zeros};
 }
 
 /// Counts the fate of light that leaves the surface of hit `from` towards hit `to`, or towards nothing if `to` is
@@ -29,11 +29,8 @@ LineSurvey empty_survey(const Scene& scene)
 void count_departure(const Scene& scene, const Hit& from, const Hit* to, bool forward, LineSurvey& survey)
 {
     const bool leaves_front = from.front != forward;
-    if (!leaves_front && !scene.two_sided()) {
-        if (to != nullptr && to->front != forward && scene.surface_material(to->surface).emittance == Rgb{})
-            ++survey.back_to_back[from.surface];
+    if (!leaves_front && !scene.two_sided())
         return;
-    }
     ++survey.departures[from.surface];
     if (to != nullptr && (to->front == forward || scene.two_sided()))
         ++survey.arrivals[from.surface];
@@ -96,7 +93,6 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
         add(total.departures, survey.departures);
         add(total.arrivals, survey.arrivals);
         add(total.met_behind, survey.met_behind);
-        add(total.back_to_back, survey.back_to_back);
     }
     return total;
 }
@@ -111,18 +107,16 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     const ConvexHull hull = scene_hull(scene);
     report.survey = survey_lines(scene, hull, lines, threads);
     report.hull_area = hull.area();
-    report.sphere_area = GlobalLines(scene.bounds()).sphere_area();
     const auto crossings = static_cast<double>(report.survey.crossings);
     const double tested = static_cast<double>(report.survey.hull_tests) / static_cast<double>(report.survey.lines);
     const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
-    report.intersections_per_hull_line = intersections_of_hull_line(scene, hull);
     report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
     report.intersections_per_sphere_line_measured = crossings / static_cast<double>(report.survey.lines);
-    report.intersections_per_sphere_line = report.intersections_per_hull_line * report.hull_area / report.sphere_area;
-
     report.direct = measure_direct_light(scene, wanted_lines, threads);
-    report.figures = {report.intersections_per_hull_line, mean(scene.average_reflectance()),
+    report.figures = {intersections_of_hull_line(scene, hull), mean(scene.average_reflectance()),
                       report.direct.secondary_reflectance, report.direct.lit_fraction};
+    report.intersections_per_sphere_line =
+        report.figures.intersections * report.hull_area / GlobalLines(scene.bounds()).sphere_area();
     report.ratio_first_shot = optimal_ratio(report.figures);
     report.ratio_extended = optimal_ratio(extended_figures(report.figures));
     report.threshold_radiosity = threshold_radiosity(scene);

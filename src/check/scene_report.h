@@ -25,9 +25,6 @@ struct LineSurvey
     std::vector<std::uint64_t> departures; ///< times that a line leaves a patch of the surface
     std::vector<std::uint64_t> arrivals;   ///< departures from the surface that reach another patch
     std::vector<std::uint64_t> met_behind; ///< departures from any surface that meet this one on a side without a patch
-    /// Times that a line leaves the back of the surface and then meets the back of a surface that emits nothing. All 0
-    /// if the scene is two-sided.
-    std::vector<std::uint64_t> back_to_back;
 };
 
 /// Casts `lines` random chords of the sphere around the scene and counts what they meet. `hull` is the convex hull of
@@ -38,14 +35,12 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
 /// docs/equations.md.
 struct SceneReport
 {
-    double hull_area = 0.0;   ///< [m^2] area of the convex hull of the scene
-    double sphere_area = 0.0; ///< [m^2] area of the sphere around the scene's box
+    double hull_area = 0.0; ///< [m^2] area of the convex hull of the scene
 
     // Expected number of intersections of a line, computed and counted. A' is the total area of the surfaces, one side
-    // of each.
-    double intersections_per_hull_line = 0.0;          ///< [1] n_int = 2 A' / A_hull (G2), for lines that meet the hull
-    double intersections_per_hull_line_measured = 0.0; ///< [1] n_int counted along lines; 0 if none met the hull
-    double intersections_per_sphere_line = 0.0;        ///< [1] 2 A' / A_sphere, for chords of the sphere
+    // of each. For lines that meet the hull it is computed as figures.intersections = 2 A' / A_hull (G2).
+    double intersections_per_hull_line_measured = 0.0;   ///< [1] counted along lines; 0 if none met the hull
+    double intersections_per_sphere_line = 0.0;          ///< [1] 2 A' / A_sphere, for chords of the sphere
     double intersections_per_sphere_line_measured = 0.0; ///< [1] the same counted along chords
 
     DirectLight direct;                     ///< figures of the direct illumination

@@ -94,7 +94,7 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     std::string text;
     text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
     text += "  Phi_T  power of the sources      " + power_text(scene.source_power(), scene.file(), 6) + "\n";
-    text += format("  n_int  per line through the hull %.4f (measured %.4f)\n", r.intersections_per_hull_line,
+    text += format("  n_int  per line through the hull %.4f (measured %.4f)\n", r.figures.intersections,
                    r.intersections_per_hull_line_measured);
     text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
                    r.direct.effective_fraction);
@@ -146,7 +146,7 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.numbers("average_reflectance_rgb", scene.average_reflectance());
     json.number("source_power_w", mean(scene.source_power()));
     json.numbers("source_power_rgb_w", scene.source_power());
-    json.number("intersections_hull", r.intersections_per_hull_line);
+    json.number("intersections_hull", r.figures.intersections);
     json.number("intersections_hull_measured", r.intersections_per_hull_line_measured);
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("lit_fraction_effective", r.direct.effective_fraction);
