@@ -223,7 +223,7 @@ private:
             return;
         const double part = idle_power / mean(scene_.source_power());
         std::vector<Advice> advice;
-        if (!any_lights && !file_.is_flipped)
+        if (!any_lights && !file_.is_flipped && idle.size() < scene_.own_surfaces())
             advice = {{Remedy::flip, "", "turns all faces over, if the scene is inside out"}};
         add("emitter", place_of(idle[0]),
             format("emitters that light nothing, facing away from everything (%.3g %% of the source power): ",

@@ -319,35 +319,28 @@ void ray_series(Run& run)
 namespace {
 
 /// The rays of all iterations.
-struct IterationPlan
+RayPlan plan_iterations(const Run& run, const std::vector<Rgb>& power)
 {
-    RayPlan rays;
-    std::uint64_t lines;      ///< of the iterations
-    std::uint64_t first_item; ///< of the iterations
-
-    /// The stage of the iteration that casts the lines done ... done + next - 1.
-    RayStage stage(const Run& run, const std::vector<Rgb>& power, std::uint64_t done, std::uint64_t next) const
-    {
-        const auto all = static_cast<double>(lines);
-        return {run,
-                first_item,
-                run.options.bidirectional,
-                rays,
-                power,
-                static_cast<double>(done) / all,
-                static_cast<double>(done + next) / all};
-    }
-};
-
-IterationPlan plan_iterations(const Run& run, const std::vector<Rgb>& power)
-{
-    const Scene& scene = run.scene;
     // After m rays, each of n_p patches has received about m / n_p of them.
-    const double unknown = static_cast<double>(scene.patch_count()) / static_cast<double>(run.solution.local_lines + 1);
-    const std::vector<double> shares = shares_of_rays(scene, power, std::clamp(unknown, 0.02, 0.5));
+    const double unknown =
+        static_cast<double>(run.scene.patch_count()) / static_cast<double>(run.solution.local_lines + 1);
+    const std::vector<double> shares = shares_of_rays(run.scene, power, std::clamp(unknown, 0.02, 0.5));
     const double offset = bits_to_unit(random_bits(random_key(RandomStream::jacobi_rays, run.options.seed), 0));
-    const std::uint64_t lines = run.lines_left();
-    return {plan_rays(shares, static_cast<double>(lines), offset), lines, run.next_item()};
+    return plan_rays(shares, static_cast<double>(run.lines_left()), offset);
+}
+
+/// The stage of the iteration that casts the lines done ... done + next - 1 of the plan.
+RayStage iteration_stage(const Run& run, const RayPlan& plan, const std::vector<Rgb>& power, std::uint64_t done,
+                         std::uint64_t next)
+{
+    const auto all = static_cast<double>(run.lines_left());
+    return {run,
+            run.next_item(),
+            run.options.bidirectional,
+            plan,
+            power,
+            static_cast<double>(done) / all,
+            static_cast<double>(done + next) / all};
 }
 
 } // namespace
@@ -357,7 +350,7 @@ void ray_iterations(Run& run)
     const RunControl control = run.control(1, 1);
     const PowerState start(run.scene);
     JacobiIterations iterations(run.scene, start, run.state, static_cast<double>(run.solution.local_lines));
-    const IterationPlan plan = plan_iterations(run, iterations.power());
+    const RayPlan plan = plan_iterations(run, iterations.power());
     std::uint64_t done = 0; // planned lines of the finished iterations
     std::uint64_t cast = 0; // rays of these; the same up to rounding
     const Checkpoint::Part part(control.checkpoint, "iterations", [&](Archive& archive) {
@@ -365,9 +358,9 @@ void ray_iterations(Run& run)
         archive.value<std::uint64_t>("cast", cast);
         iterations.visit(archive);
     });
-    while (done < plan.lines) {
-        const std::uint64_t next = iterations.next_lines(plan.lines - done);
-        RayStage stage = plan.stage(run, iterations.power(), done, next);
+    while (done < run.lines_left()) {
+        const std::uint64_t next = iterations.next_lines(run.lines_left() - done);
+        RayStage stage = iteration_stage(run, plan, iterations.power(), done, next);
         if (run_stage("rays", stage, control) < stage.rays.rays())
             break;
         iterations.add(stage.transfer, static_cast<double>(next));
@@ -384,8 +377,8 @@ IterationTrace trace_first_iteration(const Run& run, std::uint64_t first, std::u
 {
     const PowerState start(run.scene);
     const JacobiIterations iterations(run.scene, start, run.state, static_cast<double>(run.solution.local_lines));
-    const IterationPlan plan = plan_iterations(run, iterations.power());
-    const RayStage stage = plan.stage(run, iterations.power(), 0, iterations.next_lines(plan.lines));
+    const RayPlan plan = plan_iterations(run, iterations.power());
+    const RayStage stage = iteration_stage(run, plan, iterations.power(), 0, iterations.next_lines(run.lines_left()));
     IterationTrace trace{stage.rays.rays(), {}};
     first = std::min(first, trace.ray_count);
     RayStage::Block block;
