@@ -28,14 +28,11 @@ Lightmap lightmap(const Scene& scene, std::uint32_t size, const SurfaceLight& li
     map.width = size;
     map.height = size;
     map.texels.resize(std::size_t{size} * size);
-    map.chart_count = static_cast<std::uint32_t>(charts.size());
     map.texels_per_unit = packing->scale;
-    map.frames.resize((scene.two_sided() ? 2 : 1) * std::size_t{scene.own_surfaces()});
-    for (std::size_t n = 0; n < charts.size(); ++n)
-        for (const std::uint32_t side : charts[n].sides)
-            map.frames[side] =
-                atlas_frame(scene.surfaces()[side % scene.own_surfaces()], charts[n], packing->positions[n], *packing);
-    paint(map, scene, charts, light, threads);
+    for (std::size_t side = 0; side < charts.size(); ++side)
+        map.frames.push_back(atlas_frame(scene.surfaces()[side % scene.own_surfaces()], charts[side],
+                                         packing->positions[side], *packing));
+    paint(map, scene, light, threads);
     return map;
 }
 

@@ -13,20 +13,18 @@ namespace multipath {
 /// [W/m^2] Radiosity at the point (u, v) on one side of a surface, texture included. Called by several threads at once.
 using SurfaceLight = std::function<Rgb(std::uint32_t surface, bool front, double u, double v)>;
 
-/// A texture atlas with the light on all surfaces of a scene, except the sky. Connected coplanar surfaces of one
-/// material form a chart. Charts are mapped without distortion at a common scale, but a width or height below one texel
-/// is stretched to one texel. Charts are at least four texels apart.
+/// A texture atlas with the light on all surfaces of a scene, except the sky. Each side of a surface is a chart. Charts
+/// are mapped without distortion at a common scale, but a width or height below one texel is stretched to one texel.
+/// Charts are at least four texels apart.
 struct Lightmap
 {
     std::uint32_t width = 0; ///< [texel]
     std::uint32_t height = 0;
-    /// [W/m^2] row by row from the top left; texels far from all charts have the mean of the others.
-    std::vector<Rgb> texels;
+    std::vector<Rgb> texels; ///< [W/m^2] row by row from the top left; black far from all charts
     /// Position of each side of a surface in the atlas, from (0, 0) at the lower left corner to (1, 1) at the upper
     /// right. First come the fronts of all Scene::own_surfaces(), then their backs if the scene is two-sided.
     std::vector<TextureFrame> frames;
-    std::uint32_t chart_count = 0; ///< in a two-sided scene front and back count separately
-    double texels_per_unit = 0.0;  ///< [1 / scene unit] the common scale
+    double texels_per_unit = 0.0; ///< [1 / scene unit] the common scale
 
     const TextureFrame& frame(std::uint32_t surface, bool front) const
     {

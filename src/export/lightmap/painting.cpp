@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace multipath {
 
@@ -72,112 +74,82 @@ private:
     double determinant_;
 };
 
-/// Computes the texels of a lightmap whose frames are known.
+/// A row of texels that a side reaches, from the bottom of the atlas up.
+struct SideRow
+{
+    std::uint32_t side = 0; ///< index of a frame
+    std::uint32_t y = 0;
+};
+
+/// Computes the texels of a lightmap whose frames are known. The rectangles of the sides and their margins do not
+/// overlap.
 class AtlasPainter
 {
 public:
-    AtlasPainter(const Scene& scene, Lightmap& map)
-        : scene_(scene), map_(map), size_(map.width), owner_(std::size_t{size_} * size_, nobody)
+    AtlasPainter(const Scene& scene, Lightmap& map, const SurfaceLight& light) : scene_(scene), map_(map), light_(light)
     {
     }
 
-    /// Finds the owner of every texel: the side that contains its centre, or else the nearest one within the margin.
-    void find_owners(const std::vector<Chart>& charts, int threads)
+    std::vector<SideRow> rows() const
     {
-        parallel_blocks(map_.chart_count, threads, [&](std::uint64_t n) {
-            for (const std::uint32_t side : charts[n].sides)
-                claim(side);
-        });
+        std::vector<SideRow> rows;
+        for (std::uint32_t side = 0; side < map_.frames.size(); ++side) {
+            const Bounds box = side_of(side).bounds();
+            for (std::uint32_t y = first_texel(box.low.y); y <= last_texel(box.high.y); ++y)
+                rows.push_back({side, y});
+        }
+        return rows;
     }
 
-    /// Computes the light of all texels.
-    void paint(const SurfaceLight& light, int threads)
+    void paint(SideRow row)
     {
-        parallel_blocks(size_, threads, [&](std::uint64_t row) {
-            const auto y = static_cast<std::uint32_t>(row);
-            for (std::uint32_t x = 0; x < size_; ++x)
-                if (const std::uint32_t number = owner(x, y); number != nobody)
-                    texel(x, y) = mean_light(number, x, y, light);
-        });
-        fill_free_texels();
+        // [texel^2] Squared distance to the corner of the margin; a chart may end anywhere in its last texel.
+        constexpr double reach2 = 2.0 * (chart_margin + 1) * (chart_margin + 1);
+        const AtlasSide side = side_of(row.side);
+        const Bounds box = side.bounds();
+        const std::size_t above = map_.height - 1 - row.y; // the picture is stored from the top
+        for (std::uint32_t x = first_texel(box.low.x); x <= last_texel(box.high.x); ++x)
+            if (side.nearest(x + 0.5, row.y + 0.5).distance2 <= reach2)
+                map_.texels[above * map_.width + x] = mean_light(side, row, x);
     }
 
 private:
-    static constexpr std::uint32_t nobody = 0xffffffffu;
-
-    // Rows are counted from the bottom, like texture coordinates; the picture is stored from the top.
-    std::size_t index(std::uint32_t x, std::uint32_t y) const { return std::size_t{size_ - 1 - y} * size_ + x; }
-    std::uint32_t& owner(std::uint32_t x, std::uint32_t y) { return owner_[index(x, y)]; }
-    Rgb& texel(std::uint32_t x, std::uint32_t y) { return map_.texels[index(x, y)]; }
+    static std::uint32_t first_texel(double low) { return static_cast<std::uint32_t>(low - chart_margin); }
+    static std::uint32_t last_texel(double high) { return static_cast<std::uint32_t>(high + chart_margin); }
 
     std::uint32_t surface_of(std::uint32_t side) const { return side % scene_.own_surfaces(); }
     AtlasSide side_of(std::uint32_t number) const
     {
-        return {scene_.surfaces()[surface_of(number)].shape, map_.frames[number], size_};
-    }
-
-    /// Makes a side the owner of the texels in its reach that are nearer to it than to their present owner.
-    void claim(std::uint32_t number)
-    {
-        // [texel^2] Squared distance to the corner of the margin; a chart may end anywhere in its last texel.
-        constexpr double reach2 = 2.0 * (chart_margin + 1) * (chart_margin + 1);
-        const AtlasSide side = side_of(number);
-        const Bounds box = side.bounds();
-        const auto texel_at = [](double x) { return static_cast<std::uint32_t>(x); };
-        for (std::uint32_t y = texel_at(box.low.y - chart_margin); y <= texel_at(box.high.y + chart_margin); ++y)
-            for (std::uint32_t x = texel_at(box.low.x - chart_margin); x <= texel_at(box.high.x + chart_margin); ++x) {
-                const double distance2 = side.nearest(x + 0.5, y + 0.5).distance2;
-                std::uint32_t& holder = owner(x, y);
-                if (distance2 <= reach2 &&
-                    (holder == nobody || distance2 < side_of(holder).nearest(x + 0.5, y + 0.5).distance2))
-                    holder = number;
-            }
+        return {scene_.surfaces()[surface_of(number)].shape, map_.frames[number], map_.width};
     }
 
     /// [W/m^2] Light of a texel: one sample at its centre, or the mean of a grid of samples on a textured surface.
-    Rgb mean_light(std::uint32_t number, std::uint32_t x, std::uint32_t y, const SurfaceLight& light) const
+    Rgb mean_light(const AtlasSide& side, SideRow row, std::uint32_t x) const
     {
         constexpr std::uint32_t texture_samples = 4; // in each direction
-        const std::uint32_t surface = surface_of(number);
+        const std::uint32_t surface = surface_of(row.side);
         const std::uint32_t samples = scene_.is_textured(surface) ? texture_samples : 1;
-        const AtlasSide side = side_of(number);
         Rgb sum;
         for (std::uint32_t j = 0; j < samples; ++j)
             for (std::uint32_t i = 0; i < samples; ++i) {
-                const NearestPoint point = side.nearest(x + (i + 0.5) / samples, y + (j + 0.5) / samples);
-                sum += light(surface, number < scene_.own_surfaces(), point.u, point.v);
+                const NearestPoint point = side.nearest(x + (i + 0.5) / samples, row.y + (j + 0.5) / samples);
+                sum += light_(surface, row.side < scene_.own_surfaces(), point.u, point.v);
             }
         return 1.0 / (samples * samples) * sum;
     }
 
-    /// Sets texels without an owner to the mean of the others, since mipmaps blend them with charts.
-    void fill_free_texels()
-    {
-        Rgb sum;
-        std::size_t count = 0;
-        for (std::size_t n = 0; n < owner_.size(); ++n)
-            if (owner_[n] != nobody) {
-                sum += map_.texels[n];
-                ++count;
-            }
-        for (std::size_t n = 0; n < owner_.size(); ++n)
-            if (owner_[n] == nobody)
-                map_.texels[n] = 1.0 / static_cast<double>(count) * sum;
-    }
-
     const Scene& scene_;
     Lightmap& map_;
-    std::uint32_t size_;
-    std::vector<std::uint32_t> owner_; ///< per texel: index of a frame, or nobody
+    const SurfaceLight& light_;
 };
 
 } // namespace
 
-void paint(Lightmap& map, const Scene& scene, const std::vector<Chart>& charts, const SurfaceLight& light, int threads)
+void paint(Lightmap& map, const Scene& scene, const SurfaceLight& light, int threads)
 {
-    AtlasPainter painter(scene, map);
-    painter.find_owners(charts, threads);
-    painter.paint(light, threads);
+    AtlasPainter painter(scene, map, light);
+    const std::vector<SideRow> rows = painter.rows();
+    parallel_blocks(rows.size(), threads, [&](std::uint64_t n) { painter.paint(rows[n]); });
 }
 
 } // namespace multipath

@@ -138,303 +138,222 @@ namespace {
 
 constexpr double coinciding = 1e-6; ///< share of the scene's diagonal; corners at most this far apart coincide
 
-/// The edges of the surface on which a point of its grid lies, one bit each.
-unsigned rim_of(const Tessellation& cut, GridPoint a)
+/// A place on an edge between its ends.
+struct EdgePoint
 {
-    const bool triangle = cut.shape == Shape::triangle;
-    return (a.i == 0 ? 1u : 0u) | (a.j == 0 ? 2u : 0u) | ((triangle ? a.i + a.j : a.i) == cut.grid_u() ? 4u : 0u) |
-           (!triangle && a.j == cut.grid_v() ? 8u : 0u);
-}
-
-/// An edge of a face on the rim of its side, from one corner of the face to the next.
-struct RimEdge
-{
-    std::uint32_t face = 0;
-    std::uint32_t corner = 0; ///< 0 to 3
+    double share = 0.0; ///< [1] position along the edge, in (0, 1)
+    Vec3 place;
 };
 
-/// The rims of all sides, along which they are stitched.
-struct Rims
+/// Those of the points that lie on an edge between its ends, to within `tolerance` [scene units], in order along it.
+std::vector<EdgePoint> points_on_edge(const PointGrid& points, Vec3 start, Vec3 end, double tolerance)
 {
-    std::vector<RimEdge> edges;          ///< in the order of the faces
-    std::vector<std::uint32_t> vertices; ///< in the order of the vertices
-};
-
-/// A T-junction: a corner of another side on an edge of the rim.
-struct EdgeCut
-{
-    RimEdge edge;
-    double share = 0.0;       ///< [1] position along the edge, in (0, 1)
-    std::uint32_t vertex = 0; ///< vertex of the other side
-};
-
-/// A vertex with its weight in an interpolation.
-struct VertexWeight
-{
-    std::uint32_t vertex = 0;
-    double weight = 0.0;
-};
-
-Float3 interpolated(const std::vector<Float3>& values, const std::vector<VertexWeight>& weights)
-{
-    Rgb sum;
-    for (const VertexWeight& w : weights)
-        sum += w.weight * to_rgb(values[w.vertex]);
-    return single(sum);
-}
-
-/// A copy of a mesh in which every face that has cuts is replaced by a fan of triangles around its centroid, which uses
-/// the corners of the other sides. Cuts must be sorted by face, corner and position along the edge. The values [W/m^2]
-/// of new vertices are interpolated.
-class CutMesh
-{
-public:
-    CutMesh(const PatchMesh& whole, const std::vector<EdgeCut>& cuts) : whole_(whole), cuts_(cuts)
-    {
-        result_.origin = whole.origin;
-        for (const MeshSide& side : whole.sides)
-            add_side(side);
-    }
-
-    PatchMesh result() && { return std::move(result_); }
-
-private:
-    void add_side(const MeshSide& whole)
-    {
-        MeshSide side = whole;
-        side.first_vertex = result_.positions.size();
-        side.first_face = result_.faces.size();
-        for (auto list : {&PatchMesh::positions, &PatchMesh::radiosity, &PatchMesh::error})
-            if (!(whole_.*list).empty()) {
-                const auto first = (whole_.*list).begin() + static_cast<std::ptrdiff_t>(whole.first_vertex);
-                (result_.*list)
-                    .insert((result_.*list).end(), first, first + static_cast<std::ptrdiff_t>(whole.vertex_count));
-            }
-        shift_ = static_cast<std::uint32_t>(side.first_vertex - whole.first_vertex);
-        for (std::size_t face = whole.first_face; face < whole.first_face + whole.face_count; ++face)
-            if (next_ < cuts_.size() && cuts_[next_].edge.face == face)
-                add_fan(whole_.faces[face], rim_with_cuts(whole_.faces[face], face));
-            else
-                add_face(whole_.faces[face]);
-        side.vertex_count = result_.positions.size() - side.first_vertex;
-        side.face_count = result_.faces.size() - side.first_face;
-        result_.sides.push_back(side);
-    }
-
-    void add_face(MeshFace face)
-    {
-        for (std::uint32_t& corner : face.corners)
-            corner += shift_;
-        result_.faces.push_back(face);
-    }
-
-    std::uint32_t add_vertex(Float3 position, const std::vector<VertexWeight>& weights)
-    {
-        result_.positions.push_back(position);
-        result_.radiosity.push_back(interpolated(whole_.radiosity, weights));
-        if (!whole_.error.empty())
-            result_.error.push_back(interpolated(whole_.error, weights));
-        return static_cast<std::uint32_t>(result_.positions.size() - 1);
-    }
-
-    /// The vertices around a face: its own corners and the cuts on its edges, which are added as vertices.
-    std::vector<std::uint32_t> rim_with_cuts(const MeshFace& face, std::size_t number)
-    {
-        std::vector<std::uint32_t> rim;
-        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-            rim.push_back(face.corners[k] + shift_);
-            const std::uint32_t second = face.corners[(k + 1) % face.corner_count];
-            for (; next_ < cuts_.size() && cuts_[next_].edge.face == number && cuts_[next_].edge.corner == k; ++next_) {
-                const EdgeCut& cut = cuts_[next_];
-                rim.push_back(add_vertex(whole_.positions[cut.vertex],
-                                         {{face.corners[k], 1.0 - cut.share}, {second, cut.share}}));
-            }
-        }
-        return rim;
-    }
-
-    /// Adds a fan of triangles around the centroid of a face: none of them is degenerate, wherever the cuts are.
-    void add_fan(const MeshFace& face, const std::vector<std::uint32_t>& rim)
-    {
-        std::vector<VertexWeight> corners;
-        for (const std::uint32_t corner : face)
-            corners.push_back({corner, 1.0 / face.corner_count});
-        const std::uint32_t middle = add_vertex(interpolated(whole_.positions, corners), corners);
-        for (std::size_t n = 0; n < rim.size(); ++n)
-            result_.faces.push_back({{middle, rim[n], rim[(n + 1) % rim.size()], 0}, 3, face.patch});
-    }
-
-    const PatchMesh& whole_;
-    const std::vector<EdgeCut>& cuts_;
-    std::size_t next_ = 0;    ///< index of the next cut
-    std::uint32_t shift_ = 0; ///< from old indices of the side's vertices to new ones
-    PatchMesh result_;
-};
-
-std::pair<std::uint32_t, std::uint32_t> ends_of(const PatchMesh& mesh, RimEdge edge)
-{
-    const MeshFace& face = mesh.faces[edge.face];
-    return {face.corners[edge.corner], face.corners[(edge.corner + 1) % face.corner_count]};
-}
-
-double mean_length(const PatchMesh& mesh, const Rims& rims)
-{
-    double sum = 0.0;
-    for (const RimEdge edge : rims.edges) {
-        const auto [a, b] = ends_of(mesh, edge);
-        sum += length(to_vec3(mesh.positions[b]) - to_vec3(mesh.positions[a]));
-    }
-    return sum / static_cast<double>(rims.edges.size());
-}
-
-/// Welds the vertices on rims: moves each to the first one within the tolerance. Returns the distinct positions.
-PointGrid join_corners(PatchMesh& mesh, const Rims& rims, double cell, double tolerance)
-{
-    PointGrid points(cell, rims.vertices.size());
-    const auto position = [&mesh](std::uint32_t vertex) { return to_vec3(mesh.positions[vertex]); };
-    for (const std::uint32_t vertex : rims.vertices)
-        if (const auto earliest = points.first_near(position(vertex), tolerance, position))
-            mesh.positions[vertex] = mesh.positions[*earliest];
-        else
-            points.insert(position(vertex), vertex);
-    return points;
-}
-
-/// The points that lie on an edge between its ends, sorted from its first corner to its second.
-std::vector<EdgeCut> cuts_of(const PatchMesh& mesh, RimEdge edge, const PointGrid& points, double cell,
-                             double tolerance)
-{
-    const auto [first, second] = ends_of(mesh, edge);
-    const Vec3 start = to_vec3(mesh.positions[first]);
-    const Vec3 along = to_vec3(mesh.positions[second]) - start;
+    const Vec3 along = end - start;
     const double extent = length(along);
     const Vec3 margin = {tolerance, tolerance, tolerance};
-    const double steps = std::max(1.0, std::ceil(extent / cell)); // small boxes, as a large one overlaps too many cells
-    std::vector<EdgeCut> cuts;
+    const double steps = std::max(1.0, std::ceil(extent / points.cell())); // a large box overlaps too many cells
+    std::vector<EdgePoint> found;
     for (double step = 0.0; step < steps; step += 1.0) {
         Bounds box;
         box.include(start + step / steps * along);
         box.include(start + (step + 1.0) / steps * along);
-        points.visit_box(box.low - margin, box.high + margin, [&](std::uint32_t vertex) {
-            const Vec3 way = to_vec3(mesh.positions[vertex]) - start;
+        points.visit_box(box.low - margin, box.high + margin, [&](Vec3 point) {
+            const Vec3 way = point - start;
             const double share = dot(way, along) / (extent * extent);
             const bool inside = share * extent > tolerance && (1.0 - share) * extent > tolerance;
             if (inside && length(way - share * along) <= tolerance)
-                cuts.push_back({edge, share, vertex});
+                found.push_back({share, point});
         });
     }
-    std::sort(cuts.begin(), cuts.end(), [](const EdgeCut& a, const EdgeCut& b) { return a.share < b.share; });
-    const auto same = [](const EdgeCut& a, const EdgeCut& b) { return a.vertex == b.vertex; };
-    cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
-    return cuts;
+    std::sort(found.begin(), found.end(), [](const EdgePoint& a, const EdgePoint& b) { return a.share < b.share; });
+    const auto same = [](const EdgePoint& a, const EdgePoint& b) { return a.share == b.share; };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    return found;
 }
 
-/// Removes the cracks between sides. Corners of different sides within `tolerance` [scene units] get the same position,
-/// and a face with a corner of another side on its edge is split into triangles that meet there. Colours do not change,
-/// since the values of new vertices are interpolated.
-PatchMesh stitched(PatchMesh mesh, const Rims& rims, double tolerance)
-{
-    if (rims.edges.empty())
-        return mesh;
-    const double cell = std::max(2.0 * mean_length(mesh, rims), tolerance);
-    const PointGrid points = join_corners(mesh, rims, cell, tolerance);
-    std::vector<EdgeCut> cuts;
-    for (const RimEdge edge : rims.edges) {
-        const std::vector<EdgeCut> more = cuts_of(mesh, edge, points, cell, tolerance);
-        cuts.insert(cuts.end(), more.begin(), more.end());
-    }
-    return cuts.empty() ? mesh : CutMesh(mesh, cuts).result();
-}
-
-/// Builds a mesh side by side.
+/// Builds a mesh in two passes over all sides: the first finds the corners on their rims, the second makes the faces.
 class MeshBuilder
 {
 public:
     MeshBuilder(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
-        : scene_(scene), radiosity_(radiosity), error_(error), covered_(covered_patches(scene, threads))
+        : scene_(scene),
+          radiosity_(radiosity),
+          error_(error),
+          covered_(covered_patches(scene, threads)),
+          tolerance_(coinciding * scene.bounds().diagonal()),
+          points_(std::max(half_an_edge * std::sqrt(scene.total_area() / scene.patch_count()), tolerance_))
     {
         mesh_.origin = mesh_origin(scene);
         mesh_.faces.reserve(scene.patch_count());
+        for_each_side([this] { find_rim(); });
+        for_each_side([this] { add_side(); });
     }
 
-    void add_side(std::uint32_t surface, bool front)
-    {
-        const Tessellation& tessellation = scene_.tessellation(surface);
-        const std::uint32_t first_patch = scene_.first_patch(surface, front);
-        const auto cells = static_cast<std::uint32_t>(tessellation.cell_count());
-        const std::size_t first_vertex = mesh_.positions.size();
-        const std::size_t first_face = mesh_.faces.size();
-        latest_.clear();
-        latest_.reserve(cells + cells / 8 + std::size_t{1});
-        const auto first = covered_.begin() + first_patch;
-        has_inner_rims_ = tessellation.trees || std::find(first, first + cells, true) != first + cells;
-        for (std::uint32_t patch = first_patch; patch < first_patch + cells; ++patch)
-            if (!covered_[patch])
-                add_face(patch, surface, front);
-        const Vec3 normal = scene_.surfaces()[surface].normal();
-        mesh_.sides.push_back({surface, front, front ? normal : -normal, first_vertex,
-                               mesh_.positions.size() - first_vertex, first_face, mesh_.faces.size() - first_face});
-    }
-
-    /// The mesh of all sides that were added, without cracks between them.
-    PatchMesh joined(double tolerance) && { return stitched(std::move(mesh_), rims_, tolerance); }
+    PatchMesh result() && { return std::move(mesh_); }
 
 private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    static constexpr double half_an_edge = 0.5; ///< of a mean patch, since most corners belong to smaller ones
 
-    void add_face(std::uint32_t patch, std::uint32_t surface, bool front)
+    /// Calls act() for the front of each surface and for the back if there is one, as the current side.
+    template <class Act>
+    void for_each_side(const Act& act)
     {
-        const Tessellation& cut = scene_.tessellation(surface);
+        for (std::uint32_t surface = 0; surface < scene_.own_surfaces(); ++surface)
+            for (const bool front : {true, false})
+                if (front || scene_.two_sided()) {
+                    begin_side(surface, front);
+                    act();
+                }
+    }
+
+    void begin_side(std::uint32_t surface, bool front)
+    {
+        surface_ = surface;
+        front_ = front;
+        patches_.clear();
+        const std::uint32_t first = scene_.first_patch(surface, front);
+        const std::size_t cells = scene_.tessellation(surface).cell_count();
+        for (std::uint32_t patch = first; patch < first + cells; ++patch)
+            if (!covered_[patch])
+                patches_.push_back(patch);
+        has_inner_rims_ = scene_.tessellation(surface).trees || patches_.size() < cells;
+    }
+
+    /// True if the corners of other patches may lie beside this point of the grid.
+    bool is_on_rim(GridPoint a) const
+    {
+        const Tessellation& cut = scene_.tessellation(surface_);
+        const bool outer =
+            cut.shape == Shape::triangle ? a.i + a.j == cut.grid_u() : a.i == cut.grid_u() || a.j == cut.grid_v();
+        return has_inner_rims_ || a.i == 0 || a.j == 0 || outer;
+    }
+
+    /// [scene units] Relative to the origin of the mesh, in single precision.
+    Vec3 place_of(GridPoint a) const
+    {
+        const Tessellation& cut = scene_.tessellation(surface_);
+        const Vec3 place = scene_.surfaces()[surface_].at(static_cast<double>(a.i) / cut.grid_u(),
+                                                          static_cast<double>(a.j) / cut.grid_v());
+        return to_vec3(single(place - mesh_.origin));
+    }
+
+    void find_rim()
+    {
+        for (const std::uint32_t patch : patches_) {
+            const CellCorners corners = scene_.corners(patch);
+            for (std::size_t k = 0; k < corners.count; ++k)
+                if (is_on_rim(corners.points[k]))
+                    points_.joined(place_of(corners.points[k]), tolerance_);
+        }
+    }
+
+    void add_side()
+    {
+        const std::size_t first_vertex = mesh_.positions.size();
+        const std::size_t first_face = mesh_.faces.size();
+        latest_.clear();
+        latest_.reserve(patches_.size() + patches_.size() / 8 + std::size_t{1});
+        for (const std::uint32_t patch : patches_)
+            add_face(patch);
+        const Vec3 normal = scene_.surfaces()[surface_].normal();
+        mesh_.sides.push_back({surface_, front_, front_ ? normal : -normal, first_vertex,
+                               mesh_.positions.size() - first_vertex, first_face, mesh_.faces.size() - first_face});
+    }
+
+    /// Adds a patch as a face; if other corners lie on its edges, as a fan of triangles around its centroid: none of
+    /// them is degenerate, wherever these corners are. Values are interpolated, so that colours do not change.
+    void add_face(std::uint32_t patch)
+    {
         const CellCorners corners = scene_.corners(patch);
         const std::array<Rgb, 4> radiosity = radiosity_(patch);
         const std::array<Rgb, 4> error = error_ ? error_(patch) : std::array<Rgb, 4>{};
         MeshFace face;
         face.corner_count = static_cast<std::uint32_t>(corners.count);
         face.patch = patch;
-        const auto turn = [&](std::size_t k) { return front ? k : corners.count - 1 - k; };
+        const auto turned = [&](std::size_t k) {
+            return front_ ? k % corners.count : corners.count - 1 - k % corners.count;
+        };
+        for (std::size_t k = 0; k < corners.count; ++k)
+            face.corners[k] = vertex(corners.points[turned(k)], single(radiosity[turned(k)]), single(error[turned(k)]));
+
+        around_.clear();
         for (std::size_t k = 0; k < corners.count; ++k) {
-            const std::size_t here = turn(k);
-            face.corners[k] = vertex(surface, corners.points[here], single(radiosity[here]), single(error[here]));
-            if (has_inner_rims_ ||
-                (rim_of(cut, corners.points[here]) & rim_of(cut, corners.points[turn((k + 1) % corners.count)])) != 0)
-                rims_.edges.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), static_cast<std::uint32_t>(k)});
+            around_.push_back(face.corners[k]);
+            const std::size_t a = turned(k);
+            const std::size_t b = turned(k + 1);
+            if (!is_on_rim(corners.points[a]) || !is_on_rim(corners.points[b]))
+                continue;
+            const auto between = [&](const std::array<Rgb, 4>& values, double share) {
+                return single((1.0 - share) * values[a] + share * values[b]);
+            };
+            for (const EdgePoint& point :
+                 points_on_edge(points_, to_vec3(mesh_.positions[face.corners[k]]),
+                                to_vec3(mesh_.positions[face.corners[(k + 1) % corners.count]]), tolerance_))
+                around_.push_back(
+                    add_vertex(point.place, between(radiosity, point.share), between(error, point.share)));
         }
-        mesh_.faces.push_back(face);
+        if (around_.size() == corners.count)
+            mesh_.faces.push_back(face);
+        else
+            add_fan(face, radiosity, error);
+    }
+
+    void add_fan(const MeshFace& face, const std::array<Rgb, 4>& radiosity, const std::array<Rgb, 4>& error)
+    {
+        const double weight = 1.0 / face.corner_count;
+        Vec3 centroid;
+        Rgb mean_radiosity;
+        Rgb mean_error;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            centroid = centroid + weight * to_vec3(mesh_.positions[face.corners[k]]);
+            mean_radiosity += weight * radiosity[k];
+            mean_error += weight * error[k];
+        }
+        const std::uint32_t middle = add_vertex(centroid, single(mean_radiosity), single(mean_error));
+        for (std::size_t n = 0; n < around_.size(); ++n)
+            mesh_.faces.push_back({{middle, around_[n], around_[(n + 1) % around_.size()], 0}, 3, face.patch});
     }
 
     /// The latest vertex at this point of the grid if it has these values, otherwise a new one.
-    std::uint32_t vertex(std::uint32_t surface, GridPoint point, Float3 radiosity, Float3 error)
+    std::uint32_t vertex(GridPoint point, Float3 radiosity, Float3 error)
     {
-        const Tessellation& tessellation = scene_.tessellation(surface);
         std::uint32_t& latest = latest_.try_emplace(std::uint64_t{point.j} << 32 | point.i, none).first->second;
         if (latest != none && mesh_.radiosity[latest] == radiosity && (!error_ || mesh_.error[latest] == error))
             return latest;
+        const Vec3 place = place_of(point);
+        latest = add_vertex(is_on_rim(point) ? points_.joined(place, tolerance_) : place, radiosity, error);
+        return latest;
+    }
+
+    std::uint32_t add_vertex(Vec3 place, Float3 radiosity, Float3 error)
+    {
         if (mesh_.positions.size() == std::numeric_limits<std::int32_t>::max())
             throw InputError(scene_.path() + ": too many patches for a mesh, which has less than 2^31 vertices",
                              {{Remedy::patch_size, "", "makes them larger"}});
-        latest = static_cast<std::uint32_t>(mesh_.positions.size());
-        mesh_.positions.push_back(
-            single(scene_.surfaces()[surface].at(static_cast<double>(point.i) / tessellation.grid_u(),
-                                                 static_cast<double>(point.j) / tessellation.grid_v()) -
-                   mesh_.origin));
+        mesh_.positions.push_back(single(place));
         mesh_.radiosity.push_back(radiosity);
         if (error_)
             mesh_.error.push_back(error);
-        if (has_inner_rims_ || rim_of(tessellation, point) != 0)
-            rims_.vertices.push_back(latest);
-        return latest;
+        return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
     }
 
     const Scene& scene_;
     const CornerFunction& radiosity_;
     const CornerFunction& error_;
     std::vector<bool> covered_; ///< per patch
+    double tolerance_;          ///< [scene units] between corners that coincide
+    PointGrid points_;          ///< corners of patches on the rims of all sides, relative to the origin
+
+    std::uint32_t surface_ = 0; ///< that of the current side
+    bool front_ = true;
+    std::vector<std::uint32_t> patches_; ///< those of the side that are not covered
     /// True if the side has covered patches or patches of different sizes. Then every edge may be on the rim of a hole,
     /// or have corners of smaller patches on it.
     bool has_inner_rims_ = false;
     std::unordered_map<std::uint64_t, std::uint32_t> latest_; ///< latest vertex per point of the side's grid
+    std::vector<std::uint32_t> around_;                       ///< vertices around the current face
     PatchMesh mesh_;
-    Rims rims_;
 };
 
 } // namespace
@@ -449,13 +368,7 @@ CornerFunction flat_corners(const std::vector<Rgb>& values_per_patch)
 
 PatchMesh patch_mesh(const Scene& scene, const CornerFunction& radiosity, const CornerFunction& error, int threads)
 {
-    MeshBuilder builder(scene, radiosity, error, threads);
-    for (std::uint32_t surface = 0; surface < scene.own_surfaces(); ++surface) {
-        builder.add_side(surface, true);
-        if (scene.two_sided())
-            builder.add_side(surface, false);
-    }
-    return std::move(builder).joined(coinciding * scene.bounds().diagonal());
+    return MeshBuilder(scene, radiosity, error, threads).result();
 }
 
 } // namespace multipath

@@ -3,9 +3,7 @@
 #include "base/mix_bits.h"
 #include "geometry/vec3.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -13,19 +11,15 @@
 
 namespace multipath {
 
-/// Points with indices in a hash table of the cells of a regular grid.
+/// Points in a hash table of the cells of a regular grid.
 class PointGrid
 {
 public:
-    /// `cell`: edge of a cell [scene units]; `expected`: number of points to reserve memory for.
-    PointGrid(double cell, std::size_t expected) : cell_(cell) { points_.reserve(expected); }
+    explicit PointGrid(double cell) : cell_(cell) {}
 
-    void insert(Vec3 point, std::uint32_t number)
-    {
-        points_[key(index(point.x), index(point.y), index(point.z))].push_back(number);
-    }
+    double cell() const { return cell_; } ///< [scene units] edge of a cell
 
-    /// Calls visit(number) for all points in the cells that overlap a box.
+    /// Calls visit(point) for all points in the cells that overlap a box.
     template <class Visit>
     void visit_box(Vec3 low, Vec3 high, const Visit& visit) const
     {
@@ -33,22 +27,23 @@ public:
             for (std::int64_t y = index(low.y); y <= index(high.y); ++y)
                 for (std::int64_t z = index(low.z); z <= index(high.z); ++z)
                     if (const auto found = points_.find(key(x, y, z)); found != points_.end())
-                        for (const std::uint32_t number : found->second)
-                            visit(number);
+                        for (const Vec3 point : found->second)
+                            visit(point);
     }
 
-    /// The smallest number of the points within `tolerance` [scene units], at most a cell, of a place;
-    /// `position(number)` tells where they are.
-    template <class Position>
-    std::optional<std::uint32_t> first_near(Vec3 place, double tolerance, const Position& position) const
+    /// A point within `tolerance` [scene units], at most a cell, of a place, which is added as a point if there is
+    /// none.
+    Vec3 joined(Vec3 place, double tolerance)
     {
         const Vec3 margin = {tolerance, tolerance, tolerance};
-        std::optional<std::uint32_t> first;
-        visit_box(place - margin, place + margin, [&](std::uint32_t number) {
-            if (length(position(number) - place) <= tolerance)
-                first = first ? std::min(*first, number) : number;
+        std::optional<Vec3> near;
+        visit_box(place - margin, place + margin, [&](Vec3 point) {
+            if (length(point - place) <= tolerance)
+                near = point;
         });
-        return first;
+        if (!near)
+            points_[key(index(place.x), index(place.y), index(place.z))].push_back(place);
+        return near.value_or(place);
     }
 
 private:
@@ -62,7 +57,7 @@ private:
     }
 
     double cell_;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> points_;
+    std::unordered_map<std::uint64_t, std::vector<Vec3>> points_;
 };
 
 } // namespace multipath
