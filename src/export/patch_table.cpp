@@ -4,9 +4,8 @@
 #include "parallel/blocks.h"
 
 #include <array>
-#include <charconv>
+#include <numeric>
 #include <optional>
-#include <system_error>
 
 namespace multipath {
 
@@ -104,17 +103,6 @@ void require_patch(const CsvTable& table, const CsvRow& row, std::size_t column,
         refuse_field(table, row, column, std::to_string(patch) + ", since patches are numbered from 0");
 }
 
-std::uint32_t read_surface(const CsvTable& table, const CsvRow& row, std::size_t column)
-{
-    const std::string& text = row.fields[column];
-    const char* const end = text.data() + text.size();
-    std::uint32_t surface = 0;
-    const std::from_chars_result result = std::from_chars(text.data(), end, surface);
-    if (result.ec != std::errc() || result.ptr != end)
-        refuse_field(table, row, column, "the number of a surface");
-    return surface;
-}
-
 double read_not_negative(const CsvTable& table, const CsvRow& row, std::size_t column)
 {
     const double number = table.number(row, column);
@@ -123,9 +111,7 @@ double read_not_negative(const CsvTable& table, const CsvRow& row, std::size_t c
     return number;
 }
 
-/// Reads a Vec3 or an Rgb.
-template <class Three>
-Three read_three(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
+Rgb read_colour(const CsvTable& table, const CsvRow& row, const ThreeColumns& columns)
 {
     return {table.number(row, columns[0]), table.number(row, columns[1]), table.number(row, columns[2])};
 }
@@ -138,23 +124,15 @@ ThreeColumns radiosity_columns(const CsvTable& table, bool grey)
     return columns_named(table, {"radiosity_r", "radiosity_g", "radiosity_b"});
 }
 
-/// Reads all columns but the patch, the radiosity and its standard error.
-void read_geometry(const CsvTable& table, PatchTable& patches)
+std::vector<double> read_areas(const CsvTable& table)
 {
-    const std::size_t surface = table.column("surface");
-    const std::size_t material = table.column("material");
-    const ThreeColumns centre = columns_named(table, {"x", "y", "z"});
-    const std::size_t area = table.column("area");
-    double whole_area = 0.0;
-    for (const CsvRow& row : table.rows) {
-        patches.surfaces.push_back(read_surface(table, row, surface));
-        patches.materials.push_back(row.fields[material]);
-        patches.centres.push_back(read_three<Vec3>(table, row, centre));
-        patches.areas.push_back(read_not_negative(table, row, area));
-        whole_area += patches.areas.back();
-    }
-    if (!(whole_area > 0.0))
+    const std::size_t column = table.column("area");
+    std::vector<double> areas;
+    for (const CsvRow& row : table.rows)
+        areas.push_back(read_not_negative(table, row, column));
+    if (!(std::accumulate(areas.begin(), areas.end(), 0.0) > 0.0))
         refuse(table.place(table.header), "all areas are 0, expected a patch with an area");
+    return areas;
 }
 
 } // namespace
@@ -168,23 +146,20 @@ PatchTable read_patch_table(const std::string& path, const PatchTable* beside)
     const std::optional<ThreeColumns> error = error_columns(table);
     if (table.rows.empty())
         refuse(table.place(table.header), "no rows after the header, expected one per patch");
-    PatchTable patches = bare ? *beside : PatchTable{};
+    PatchTable patches;
     patches.path = path;
     patches.comments = table.comments;
-    patches.radiosity.clear();
-    patches.standard_error.clear();
     for (const CsvRow& row : table.rows) {
         require_patch(table, row, patch, patches.radiosity.size());
-        patches.radiosity.push_back(read_three<Rgb>(table, row, radiosity));
+        patches.radiosity.push_back(read_colour(table, row, radiosity));
         if (error) {
             for (const std::size_t column : *error)
                 read_not_negative(table, row, column);
-            patches.standard_error.push_back(read_three<Rgb>(table, row, *error));
+            patches.standard_error.push_back(read_colour(table, row, *error));
         }
     }
-    if (!bare)
-        read_geometry(table, patches);
-    else if (patches.radiosity.size() != beside->areas.size())
+    patches.areas = bare ? beside->areas : read_areas(table);
+    if (patches.radiosity.size() != patches.areas.size())
         refuse(table.place(table.header), std::to_string(patches.radiosity.size()) + " patches, expected " +
                                               std::to_string(beside->areas.size()) + " as in " + beside->path);
     return patches;

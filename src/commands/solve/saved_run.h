@@ -122,7 +122,7 @@ private:
 /// its extension.
 struct ResultFile
 {
-    PatchTable table;                   ///< for a state, without surfaces, materials and centres
+    PatchTable table;
     std::unique_ptr<const Scene> scene; ///< for a state; otherwise null
 
     /// `beside`: see read_patch_table(). Throws InputError or ArchiveError for a faulty file, and InputError for a run
