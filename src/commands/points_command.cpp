@@ -165,8 +165,7 @@ int run_listing(const CommandLine& line)
         if (line.has("order") && range.count < 2)
             refuse("--count", "the order of points shows with two of them or more");
         const auto draw = line.has("order") ? order_plots : scatter_plots;
-        drawing = draw(points_of(*range.sequence, range.first, range.count), all_pairs(dimensions), range_words(range),
-                       provenance(line));
+        drawing = draw(points_of(*range.sequence, range.first, range.count), range_words(range), provenance(line));
     } else {
         require_absent(line, {"order"}, "needs a drawing, such as -o points.svg");
     }

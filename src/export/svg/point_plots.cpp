@@ -62,6 +62,23 @@ double dot_diameter(double side, std::size_t count)
     return std::clamp(0.33 * side / std::sqrt(static_cast<double>(count)), 0.6, 5.0);
 }
 
+/// Two dimensions of a sequence, numbered from 0: one for the horizontal axis, one for the vertical axis.
+struct DimensionPair
+{
+    int across;
+    int up;
+};
+
+/// All pairs with across < up, ordered by `up`, then by `across`: 0,1; 0,2; 1,2; ...
+std::vector<DimensionPair> all_pairs(int dimensions)
+{
+    std::vector<DimensionPair> pairs;
+    for (int up = 1; up < dimensions; ++up)
+        for (int across = 0; across < up; ++across)
+            pairs.push_back({across, up});
+    return pairs;
+}
+
 std::vector<PlotPoint> projection(const PointSet& points, DimensionPair pair)
 {
     std::vector<PlotPoint> result;
@@ -159,41 +176,22 @@ std::vector<Link> line_ends(const std::string& sequence, std::uint64_t seed, Pai
 
 } // namespace
 
-std::vector<DimensionPair> all_pairs(int dimensions)
+std::string scatter_plots(const PointSet& points, const std::string& title, const std::vector<std::string>& comments)
 {
-    std::vector<DimensionPair> pairs;
-    for (int up = 1; up < dimensions; ++up)
-        for (int across = 0; across < up; ++across)
-            pairs.push_back({across, up});
-    return pairs;
-}
-
-std::string scatter_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
-                          const std::vector<std::string>& comments)
-{
-    const std::vector<DimensionPair> triangle = all_pairs(points.dimensions);
-    const bool is_triangle =
-        std::equal(pairs.begin(), pairs.end(), triangle.begin(), triangle.end(),
-                   [](DimensionPair a, DimensionPair b) { return a.across == b.across && a.up == b.up; });
-    const std::size_t columns =
-        is_triangle ? static_cast<std::size_t>(points.dimensions - 1) : std::min<std::size_t>(pairs.size(), 3);
-    const std::size_t rows = is_triangle ? columns : (pairs.size() + columns - 1) / columns;
-    const PlotGrid grid{columns == 1 ? 420.0 : columns <= 3 ? 260.0 : 190.0, columns, rows};
+    const auto columns = static_cast<std::size_t>(points.dimensions - 1);
+    const PlotGrid grid{columns == 1 ? 420.0 : columns <= 3 ? 260.0 : 190.0, columns, columns};
     std::string elements;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const std::size_t column = is_triangle ? static_cast<std::size_t>(pairs[i].across) : i % columns;
-        const std::size_t row = is_triangle ? static_cast<std::size_t>(pairs[i].up - 1) : i / columns;
-        elements += dots_with_axes(grid.cell(column, row, "", axis_name(pairs[i].across), axis_name(pairs[i].up)),
-                                   projection(points, pairs[i]));
-    }
+    for (const auto& [across, up] : all_pairs(points.dimensions))
+        elements += dots_with_axes(grid.cell(static_cast<std::size_t>(across), static_cast<std::size_t>(up - 1), "",
+                                             axis_name(across), axis_name(up)),
+                                   projection(points, {across, up}));
     return grid.drawing(title, comments, elements);
 }
 
-std::string order_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
-                        const std::vector<std::string>& comments)
+std::string order_plots(const PointSet& points, const std::string& title, const std::vector<std::string>& comments)
 {
     std::vector<LinkSeries> all;
-    for (const DimensionPair& pair : pairs) {
+    for (const DimensionPair& pair : all_pairs(points.dimensions)) {
         const std::vector<PlotPoint> projected = projection(points, pair);
         std::vector<Link> links;
         for (std::size_t n = 0; n + 1 < projected.size(); ++n)

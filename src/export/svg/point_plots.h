@@ -10,28 +10,15 @@
 
 namespace multipath {
 
-/// Two dimensions of a sequence, numbered from 0: one for the horizontal axis, one for the vertical axis.
-struct DimensionPair
-{
-    int across;
-    int up;
-};
-
-/// All pairs with across < up, ordered by `up`, then by `across`: 0,1; 0,2; 1,2; ...
-std::vector<DimensionPair> all_pairs(int dimensions);
-
-/// Scatter plots of projections, one per pair; `pairs` must not be empty. If `pairs` are all_pairs() of the dimensions,
-/// the plots form a triangle with one column for each `across` and one row for each `up`. Otherwise they fill rows of
-/// up to three.
-std::string scatter_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
-                          const std::vector<std::string>& comments);
+/// Scatter plots of the projections of points of at least two dimensions to all pairs of dimensions, in a triangle: one
+/// column for each dimension across, one row for each dimension up.
+std::string scatter_plots(const PointSet& points, const std::string& title, const std::vector<std::string>& comments);
 
 /// Two plots for each pair of dimensions that show how successive points are correlated. The first has arrows from each
 /// of the first hundred points to the next, from dark to bright. The second is a lag plot: each coordinate of a point
 /// (horizontal) against the same coordinate of the next point (vertical), in which correlated points fall on a few
-/// lines. Needs at least two points and one pair.
-std::string order_plots(const PointSet& points, const std::vector<DimensionPair>& pairs, const std::string& title,
-                        const std::vector<std::string>& comments);
+/// lines. Needs at least two points of at least two dimensions.
+std::string order_plots(const PointSet& points, const std::string& title, const std::vector<std::string>& comments);
 
 /// Figure 1 of the paper: `count` random points of the unit square, and as many points of the Halton sequence with
 /// bases 2 and 3. `seed`: of the random points.
