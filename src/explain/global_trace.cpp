@@ -109,9 +109,6 @@ void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, Po
         line.notes.push_back(number + transfer_text(scene, transfer));
         line.transfers.push_back(transfer);
     }
-    if (!bidirectional && segment.joins_patches())
-        line.notes.push_back(number + "patch " + std::to_string(segment.from) + " then holds " +
-                             watts(walk.at(segment.from).held));
 }
 
 /// Traces the power along a line through the scene.

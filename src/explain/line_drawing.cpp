@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
-#include <utility>
 
 namespace multipath {
 
@@ -26,6 +24,7 @@ constexpr double drawing_width = 3.0 * page_margin + 2.0 * view_size;
 constexpr double drawing_height = head_height + view_size + foot_height;
 constexpr std::size_t most_numbered_lines = 8;
 constexpr std::size_t most_in_legend = 8;
+constexpr const char* outside_style = " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"";
 
 /// [px] with one decimal.
 std::string decimal(double value)
@@ -43,11 +42,6 @@ std::string circle(SvgPoint p, double radius, const std::string& style)
 {
     return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\"" + style +
            "/>\n";
-}
-
-std::string stroke(const std::string& colour, const char* rest)
-{
-    return " fill=\"none\" stroke=\"" + colour + "\" " + rest;
 }
 
 /// What the lines of a trace are chords of.
@@ -78,19 +72,6 @@ std::array<Vec3, 3> axes(Vec3 up_direction)
     return {right, up, cross(right, up)};
 }
 
-std::array<Surface, 6> sides(const Bounds& box)
-{
-    const Vec3 x = {box.size().x, 0.0, 0.0};
-    const Vec3 y = {0.0, box.size().y, 0.0};
-    const Vec3 z = {0.0, 0.0, box.size().z};
-    return {{{Shape::parallelogram, box.low, x, y},
-             {Shape::parallelogram, box.low, y, z},
-             {Shape::parallelogram, box.low, z, x},
-             {Shape::parallelogram, box.high, -x, -y},
-             {Shape::parallelogram, box.high, -y, -z},
-             {Shape::parallelogram, box.high, -z, -x}}};
-}
-
 /// [scene units] Largest distance of anything drawn from the scene's centre, along any of the three axes.
 double reach(const Scene& scene, const StageTrace& trace, Around around, Vec3 up)
 {
@@ -103,10 +84,6 @@ double reach(const Scene& scene, const StageTrace& trace, Around around, Vec3 up
     for (const Surface& surface : scene.surfaces())
         for (const Vec3 corner : corners_of(surface))
             include(corner);
-    if (around == Around::box)
-        for (const Surface& side : sides(box))
-            for (const Vec3 corner : corners_of(side))
-                include(corner);
     for (const TracedLine& line : trace.lines)
         for (const Vec3 point : line.points)
             include(point);
@@ -132,35 +109,26 @@ std::string closed_path(const Surface& surface, const View& view)
     return shape + "Z";
 }
 
-/// The six sides of a box, whose projections together make up that of the box.
+/// The rectangle around the projection of the scene's box.
 std::string box_shape(const Bounds& box, const View& view)
 {
-    std::string shape;
-    for (const Surface& side : sides(box))
-        shape += closed_path(side, view);
-    return svg_path(shape, " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+    const Vec3 size = box.size();
+    const auto reach_along = [&](Vec3 axis) {
+        return 0.5 * view.scale * (std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z);
+    };
+    const double x = reach_along(view.right);
+    const double y = reach_along(view.down);
+    return svg_path(command_to('M', {view.middle.x - x, view.middle.y - y}) + "h" + decimal(2.0 * x) + "v" +
+                        decimal(2.0 * y) + "h" + decimal(-2.0 * x) + "Z",
+                    outside_style);
 }
 
-/// The edges of all surfaces. Edges with the same projection are drawn once.
 std::string scene_outlines(const Scene& scene, const View& view)
 {
-    std::set<std::string> edges;
-    for (const Surface& surface : scene.surfaces()) {
-        const std::vector<Vec3> points = corners_of(surface);
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const SvgPoint a = view.at(points[k]);
-            const SvgPoint b = view.at(points[(k + 1) % points.size()]);
-            const bool in_order = std::make_pair(a.x, a.y) < std::make_pair(b.x, b.y);
-            const std::string from = command_to('M', in_order ? a : b);
-            const std::string to = command_to('L', in_order ? b : a);
-            if (from.substr(1) != to.substr(1))
-                edges.insert(from + to);
-        }
-    }
     std::string shape;
-    for (const std::string& edge : edges)
-        shape += edge;
-    return svg_path(shape, stroke("#777777", "stroke-width=\"0.9\""));
+    for (const Surface& surface : scene.surfaces())
+        shape += closed_path(surface, view);
+    return svg_path(shape, svg_stroke("#777777", "0.9"));
 }
 
 std::string sources(const Scene& scene, const View& view)
@@ -195,8 +163,8 @@ std::string segments(const TracedLine& line, const View& view, const std::string
     for (std::size_t k = 0; k < line.joins.size(); ++k)
         (line.joins[k] ? bold : thin) +=
             command_to('M', view.at(line.points[k])) + command_to('L', view.at(line.points[k + 1]));
-    std::string text = svg_path(thin, stroke(colour, "stroke-width=\"1.2\" stroke-dasharray=\"5 4\"")) +
-                       svg_path(bold, stroke(colour, "stroke-width=\"2.6\" stroke-linecap=\"round\""));
+    std::string text = svg_path(thin, svg_stroke(colour, "1.2") + " stroke-dasharray=\"5 4\"") +
+                       svg_path(bold, svg_stroke(colour, "2.6") + " stroke-linecap=\"round\"");
     if (!line.joins.empty()) {
         const std::size_t last = line.joins.size();
         text +=
@@ -224,8 +192,7 @@ std::string picture(const Scene& scene, const StageTrace& trace, Around around, 
 {
     std::string text = svg_text(view.middle.x, head_height - 8.0, view.name, SvgAnchor::middle, 13.0);
     if (around == Around::sphere)
-        text += circle(view.middle, view.scale * 0.5 * scene.bounds().diagonal(),
-                       " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
+        text += circle(view.middle, view.scale * 0.5 * scene.bounds().diagonal(), outside_style);
     if (around == Around::box)
         text += box_shape(scene.bounds(), view);
     text += scene_outlines(scene, view) + sources(scene, view);

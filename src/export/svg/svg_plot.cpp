@@ -59,12 +59,6 @@ std::string svg_attribute(const char* name, const std::string& value)
     return " " + std::string(name) + "=\"" + value + "\"";
 }
 
-/// The attributes of a stroked path without fill.
-std::string svg_stroke(const std::string& colour, const std::string& width)
-{
-    return svg_attribute("fill", "none") + svg_attribute("stroke", colour) + svg_attribute("stroke-width", width);
-}
-
 std::string line_attributes(const LineStyle& style)
 {
     return svg_stroke(style.colour, svg_number(style.width)) +
@@ -116,6 +110,11 @@ std::string label_of(int times, int exponent)
 std::string svg_path(const std::string& shape, const std::string& attributes)
 {
     return shape.empty() ? "" : "<path" + svg_attribute("d", shape) + attributes + "/>\n";
+}
+
+std::string svg_stroke(const std::string& colour, const std::string& width)
+{
+    return svg_attribute("fill", "none") + svg_attribute("stroke", colour) + svg_attribute("stroke-width", width);
 }
 
 MarkStyle svg_series_mark(std::size_t series)

@@ -21,6 +21,9 @@ struct SvgPoint
 /// A path element. `shape`: path data. `attributes`: each in the form ` name="value"`. Empty for an empty shape.
 std::string svg_path(const std::string& shape, const std::string& attributes);
 
+/// The attributes of a stroked path without fill. `width`: [px].
+std::string svg_stroke(const std::string& colour, const std::string& width);
+
 struct MarkStyle
 {
     std::string colour;
