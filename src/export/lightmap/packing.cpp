@@ -86,14 +86,6 @@ private:
         }
         const auto at = [&](std::size_t k) { return steps_.begin() + static_cast<std::ptrdiff_t>(k); };
         steps_.insert(steps_.erase(at(n), at(past)), {x, y, width});
-        if (n + 1 < steps_.size() && steps_[n + 1].y == y) {
-            steps_[n].width += steps_[n + 1].width;
-            steps_.erase(at(n + 1));
-        }
-        if (n > 0 && steps_[n - 1].y == y) {
-            steps_[n - 1].width += steps_[n].width;
-            steps_.erase(at(n));
-        }
     }
 
     std::uint32_t size_;
@@ -104,11 +96,6 @@ private:
 std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const std::vector<std::uint32_t>& tallest_first,
                                       std::uint32_t size, double scale)
 {
-    double area = 0.0;
-    for (const Chart& chart : charts)
-        area += static_cast<double>(chart_extent(chart.width, scale).texels) * chart_extent(chart.height, scale).texels;
-    if (area > static_cast<double>(size) * size)
-        return std::nullopt;
     AtlasPacking packing{size, scale, std::vector<AtlasPosition>(tallest_first.size())};
     AtlasSkyline skyline(size);
     for (const std::uint32_t n : tallest_first) {

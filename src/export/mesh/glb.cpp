@@ -16,12 +16,9 @@ Float3 texture_coordinates(const Scene& scene, std::uint32_t surface, Vec3 point
 {
     const Surface& s = scene.surfaces()[surface];
     const Vec3 p = point - s.origin;
-    const double uu = dot(s.edge_u, s.edge_u);
-    const double uv = dot(s.edge_u, s.edge_v);
-    const double vv = dot(s.edge_v, s.edge_v);
-    const double determinant = uu * vv - uv * uv;
-    const double u = (vv * dot(p, s.edge_u) - uv * dot(p, s.edge_v)) / determinant;
-    const double v = (uu * dot(p, s.edge_v) - uv * dot(p, s.edge_u)) / determinant;
+    const Vec3 normal = cross(s.edge_u, s.edge_v);
+    const double u = dot(cross(p, s.edge_v), normal) / dot(normal, normal);
+    const double v = dot(cross(s.edge_u, p), normal) / dot(normal, normal);
     return gltf_texture_coordinates(mesh_texture_frame(scene, surface).at(u, v));
 }
 

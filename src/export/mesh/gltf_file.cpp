@@ -71,35 +71,16 @@ struct GltfChunk
     }
 };
 
-/// Appends a face as one or two triangles. A quadrilateral is split along the diagonal with the smaller change of
-/// radiosity, so that an oblique shadow edge is not jagged. `shift` is added to the mesh's vertex indices to get those
-/// of the part.
-void append_triangles(std::string& bytes, const PatchMesh& mesh, const MeshFace& face, std::uint32_t shift)
-{
-    const auto& c = face.corners;
-    const auto step = [&](std::size_t i, std::size_t j) { // [W/m^2] 0 if the mesh has no radiosity
-        return mesh.radiosity.empty()
-                   ? 0.0
-                   : std::abs(mean(to_rgb(mesh.radiosity[c[i]])) - mean(to_rgb(mesh.radiosity[c[j]])));
-    };
-    const auto append = [&](std::size_t i, std::size_t j, std::size_t k) {
-        for (const std::size_t corner : {i, j, k})
-            append_little_endian(bytes, c[corner] + shift);
-    };
-    const bool whole = face.corner_count == 3;
-    const bool from_first = whole || step(0, 2) <= step(1, 3);
-    append(0, 1, from_first ? 2 : 3);
-    if (!whole)
-        append(from_first ? 0 : 1, 2, 3);
-}
-
+/// Appends the faces of a part, a quadrilateral as two triangles. Vertices are numbered in the part.
 void append_triangles(std::string& bytes, const PatchMesh& mesh, const MaterialPart& part)
 {
     std::size_t vertices_before = 0;
     for (const MeshSide& side : part.sides) {
         const auto shift = static_cast<std::uint32_t>(vertices_before - side.first_vertex); // modulo 2^32
         for (std::size_t n = side.first_face; n < side.first_face + side.face_count; ++n)
-            append_triangles(bytes, mesh, mesh.faces[n], shift);
+            for (std::uint32_t k = 1; k + 1 < mesh.faces[n].corner_count; ++k)
+                for (const std::uint32_t corner : {0u, k, k + 1})
+                    append_little_endian(bytes, mesh.faces[n].corners[corner] + shift);
         vertices_before += side.vertex_count;
     }
 }

@@ -270,23 +270,4 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("a quadrilateral is cut where the light changes less")
-{
-    SceneBuilder builder;
-    const Scene scene = builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, builder.grey(0.5, 1.0)).scene(1.0);
-    for (const bool along_first : {true, false}) {
-        // A shadow covers one corner: the diagonal that does not touch it is the one to take.
-        const CornerFunction corners = [&](std::uint32_t) {
-            std::array<Rgb, 4> values;
-            values.fill({1, 1, 1});
-            values[along_first ? 1 : 2] = {};
-            return values;
-        };
-        const GlbFile glb(glb_bytes(patch_mesh(scene, corners, {}), scene, 1.0, {}, {}));
-        const std::vector<double> triangles = glb.values(glb.json["meshes"][0]["primitives"][0]["indices"].count());
-        CHECK(triangles ==
-              (along_first ? std::vector<double>{0, 1, 2, 0, 2, 3} : std::vector<double>{0, 1, 3, 1, 2, 3}));
-    }
-}
-
 } // namespace glb_test
