@@ -184,7 +184,7 @@ JsonObject chapter_json(const Scene& scene, const StageTrace& chapter)
         lines.push_back(line_json(scene, line));
     std::string note = join(chapter.context, " ");
     std::replace(note.begin(), note.end(), tied_space, ' ');
-    return JsonObject().text("title", chapter.kind + "s").text("note", note).objects("lines", lines);
+    return JsonObject().text("note", note).objects("lines", lines);
 }
 
 /// The mapping of surfaces to their textures (TextureFrame), six numbers each; NaN for a surface without a texture.
@@ -232,6 +232,7 @@ JsonObject surfaces_json(const Scene& scene, int threads)
             covered.push_back(patch);
     return JsonObject()
         .numbers("origin", origin)
+        .number("size", scene.bounds().diagonal())
         .text("triangles", packed_bytes(triangles))
         .text("geometry", packed_numbers(geometry))
         .text("grids", packed_counts(grids))
@@ -280,20 +281,17 @@ JsonObject camera_json(const Camera& camera)
         .number("field_of_view", camera.field_of_view);
 }
 
-/// Initial tone map, exposure, and the scale from radiosity to the tone curve for every operator.
+/// Tone operator, initial exposure, and the scale from radiosity to the tone curve.
 JsonObject tone_json(const Scene& scene, const ViewerContent& content)
 {
-    JsonObject scales;
-    JsonObject json;
-    for (const NamedToneOperator& named : tone_operators) {
-        scales.number(named.name, picture_scale(scene, content.quantities.front().values, content.camera,
-                                                content.render, ToneMapOptions{named.tone}));
-        if (named.tone == content.tone.tone)
-            json.text("first", named.name);
-    }
-    json.object("scales", scales);
-    json.number("exposure", content.tone.exposure);
-    return json;
+    const auto* const named =
+        std::find_if(tone_operators.begin(), tone_operators.end(),
+                     [&](const NamedToneOperator& tone) { return tone.tone == content.tone.tone; });
+    return JsonObject()
+        .text("curve", named->name)
+        .number("scale", picture_scale(scene, content.quantities.front().values, content.camera, content.render,
+                                       ToneMapOptions{content.tone.tone}))
+        .number("exposure", content.tone.exposure);
 }
 
 /// The colour map in 256 steps of sRGB.
@@ -379,7 +377,6 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .text("colour_map", packed_colour_map())
         .objects("quantities", quantities)
         .count("shown", content.shown)
-        .count("lines", content.lines)
         .objects("trace", chapters)
         .document();
 }

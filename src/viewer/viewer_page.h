@@ -32,10 +32,9 @@ struct ViewerContent
     std::vector<std::string> record; ///< provenance: "command: multipath ..."
     Camera camera;                   ///< initial camera
     RenderOptions render;            ///< for the preview that sets the brightness; its shading is the initial one
-    ToneMapOptions tone;             ///< initial tone operator and exposure; ToneMapOptions::scale is ignored
+    ToneMapOptions tone;             ///< operator and initial exposure; ToneMapOptions::scale is ignored
     std::vector<ViewerQuantity> quantities; ///< the first is the radiosity [W/m^2], shown as light
     std::size_t shown = 0;                  ///< index of the initial quantity
-    std::uint64_t lines = 0;                ///< number of lines of the run that computed the radiosity
     std::vector<StageTrace> chapters;       ///< traces of successive lines of stages of a run
 };
 

@@ -143,8 +143,8 @@ clicked() { look 5cubes click_on_patch && holds 'selected == expected && shown =
 check "a click shows the patch in the panel and marks it; a drag does not" clicked
 
 trace() {
-    look 5cubes lines_traced && holds 'lines == 100 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
-        holds 'power_first > 0 && power_later > power_first && power_again == power_first && chapter_first > 0' &&
+    look 5cubes lines_traced && holds 'lines == 200 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
+        holds 'power_first > 0 && power_later > power_first && power_again == power_first && notes == 2' &&
         holds 'trace_legend == 0 && later_legend == 1' # the trace is shown in light
 }
 check "the lines of the method can be stepped through, and power arrives" trace

@@ -66,7 +66,6 @@ ViewerContent small_content(const Scene& scene)
         number.values.push_back({value, value, value});
     }
     content.quantities = {radiosity, number};
-    content.lines = 1000;
     return content;
 }
 
@@ -250,11 +249,10 @@ TEST_CASE("a told line becomes a chain of points with the power along it")
     const Scene scene = small_scene();
     ViewerContent content = small_content(scene);
     StageTrace& chapter = content.chapters.emplace_back();
-    chapter.kind = "line";
     chapter.context = {"All", "\"two\"."};
     chapter.lines = {line};
     CHECK(count(viewer_page(scene, content),
-                "\"trace\": [\n    {\"title\": \"lines\", \"note\": \"All \\\"two\\\".\", \"lines\": [\n    {"
+                "\"trace\": [\n    {\"note\": \"All \\\"two\\\".\", \"lines\": [\n    {"
                 "\"points\": [0, 0, 0, 1, 0, 0, 0.333333, 2, 3e-09], \"joins\": [0, 1], \"crossings\": [1, 0, 0], "
                 "\"transfers\": [\n    {\"from\": 7, \"to\": 9, \"forecast\": [0.5, 0.5, 0.5], \"held\": [1, 2, 3], "
                 "\"gain\": [18, 20, 16]}, \n    {\"from\": 9, \"to\": null, \"forecast\": [0, 0, 0], "

@@ -89,7 +89,6 @@ std::string solution_page(const Scene& scene, const SolveOptions& options, const
     for (std::size_t k = 0; k < content.quantities.size(); ++k)
         if (content.quantities[k].key == picture_options.shown.name)
             content.shown = k;
-    content.lines = solution.local_lines + solution.global_lines;
     content.chapters = viewer_chapters(scene, options);
     return viewer_page(scene, content);
 }

@@ -93,14 +93,11 @@ class Camera {
     return 2 * Math.atan(widened);
   }
 
-  // The view as --camera of the program reads it: in metres, and degrees for a picture with this aspect ratio. Far from
-  // the origin, positions have more digits.
+  // The view as --camera of the program reads it: in metres, and degrees for a picture with this aspect ratio.
   view(aspect) {
-    const rounded = (a, digits) => a.map(x => Number(x.toPrecision(digits)));
-    const more = Math.ceil(Math.log10(Math.max(1, length(this.zero) / this.size))), digits = Math.min(17, 9 + more);
-    return { eye: rounded(plus(this.eye, this.zero), digits), target: rounded(plus(this.target, this.zero), digits),
-             up: rounded(this.up, 9),
-             fov: Number((this.angle(aspect) * 180 / Math.PI).toPrecision(9)) };
+    const rounded = x => Number(x.toPrecision(15)); // so many even where positions are those of a map
+    return { eye: plus(this.eye, this.zero).map(rounded), target: plus(this.target, this.zero).map(rounded),
+             up: this.up.map(rounded), fov: rounded(this.angle(aspect) * 180 / Math.PI) };
   }
 
   // The direction of the ray through a point of a picture, in pixels from its top left corner.

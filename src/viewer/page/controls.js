@@ -78,7 +78,7 @@ class Controls {
   }
 
   key(event) {
-    const typed = event.target.closest('input, select, textarea, dialog');
+    const typed = event.target.closest('input, select');
     const takes_keys = typed && typed.type !== 'checkbox' && typed.type !== 'radio';
     if (event.ctrlKey || event.metaKey || event.altKey || takes_keys)
       return;
@@ -95,20 +95,13 @@ class Controls {
     event.preventDefault();
   }
 
-  // Runs the shortcut of a key: a click on the control that the page names for it. False if there is none.
+  // Clicks the control that the page names for a key. False if there is none.
   shortcut(key) {
-    const { viewer, trace_panel } = this, { exposure, quantity } = viewer.state;
     const control = document.querySelector(`[data-key="${CSS.escape(key)}"]:not([type=radio]:checked)`);
-    const stops = { '+': 0.5, '=': 0.5, '-': -0.5 }[key];
-    if (control && element('trace').contains(control))
-      trace_panel.open(true);
-    if (control)
-      control.click();
-    else if (key === 't')
-      viewer.change({ quantity: (quantity + 1) % viewer.quantities.length });
-    else if (stops)
-      viewer.change({ exposure: clamped(exposure + stops, -6, 6) });
-    return Boolean(control || key === 't' || stops);
+    if (element('trace').contains(control))
+      this.trace_panel.open(true);
+    control?.click();
+    return Boolean(control);
   }
 
   // Walks while a key is down. The first step comes at once, so that a short press moves too.

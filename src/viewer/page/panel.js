@@ -49,14 +49,12 @@ class Panel {
   // Names the room and what can be shown of it.
   show(data) {
     const { quantities } = this.viewer;
-    for (const list of ['record', 'quantity', 'tone'])
+    for (const list of ['record', 'quantity'])
       element(list).replaceChildren();
     element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
     for (const fact of [data.scene, `${grouped(data.patches)} patches`, ...data.record])
       append_element(element('record'), 'li', fact);
     quantities.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
-    for (const name of Object.keys(data.tone.scales))
-      append_element(element('tone'), 'option', name === 'aces' ? 'film (ACES)' : name).value = name;
   }
 
   listen() {
@@ -69,7 +67,6 @@ class Panel {
     on('save-view', 'click', () => save_as('view.json',
       'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));
     on('save-picture', 'click', () => save_as('view.png', viewer.png()));
-    on('help-button', 'click', () => element('help').showModal());
   }
 
   value_of(control) {

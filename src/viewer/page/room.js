@@ -38,6 +38,7 @@ class Room {
     this.triangles = bytes_of(data.surfaces.triangles);
     this.geometry = numbers_of(data.surfaces.geometry);
     this.zero = data.surfaces.origin; // the point of the scene that all positions are relative to
+    this.size = data.surfaces.size; // diagonal
     this.grids = counts_of(data.surfaces.grids); // per surface: the steps of its grid along u and v, its first patch
     // Per patch of the fronts, on the grid of its surface: the corner (i, j) at its origin, and its size, negative upside
     // down in a triangle. Backs are numbered after all fronts.
@@ -53,7 +54,6 @@ class Room {
     this.surface = new Uint32Array(this.cell_count); // of each patch
     for (let s = 0; s < this.surface_count; ++s)
       this.surface.fill(s, this.first_patch(s), this.first_patch(s + 1));
-    this.find_size();
     this.number_points();
   }
 
@@ -73,17 +73,6 @@ class Room {
         this.point_numbers[4 * patch + k] = known.get(point);
       }
     }
-  }
-
-  find_size() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (let s = 0; s < this.surface_count; ++s)
-      for (const point of this.outline(s))
-        for (let k = 0; k < 3; ++k) {
-          low[k] = Math.min(low[k], point[k]);
-          high[k] = Math.max(high[k], point[k]);
-        }
-    this.size = length(minus(high, low));
   }
 
   first_patch(s) { return s < this.surface_count ? this.grids[3 * s + 2] : this.cell_count; }

@@ -9,26 +9,23 @@ const seconds_per_line = 0.7;
 const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
-// The traced lines in their chapters, and the lines shown so far.
+// The traced lines, each with the note of its chapter, and the number of those shown so far.
 class Trace {
   constructor(chapters, room) {
-    this.chapters = chapters;
+    this.lines = chapters.flatMap(({ note, lines }) => lines.map(line => ({ ...line, note })));
     this.patch_count = room.patch_count;
     this.active = false;
-    this.chapter = chapters.length > 0 ? chapters.length - 1 : 0;
     this.line = 0; // number of lines shown; 0: none yet
-    this.scales = chapters.map(chapter => this.glow_scale(chapter));
+    this.scale = this.glow_scale();
   }
 
-  get lines() { return this.chapters.length > 0 ? this.chapters[this.chapter].lines : []; }
   get current() { return this.line > 0 ? this.lines[this.line - 1] : null; }
-  get scale() { return this.scales[this.chapter] || 1; }
 
   go_to(line) { this.line = clamped(line, 0, this.lines.length); }
 
   // The factor that makes the median gain well visible.
-  glow_scale(chapter) {
-    const gains = chapter.lines.flatMap(line => line.transfers.map(({ gain }) => mean(gain))).filter(gain => gain > 0);
+  glow_scale() {
+    const gains = this.lines.flatMap(line => line.transfers.map(({ gain }) => mean(gain))).filter(gain => gain > 0);
     return gains.length > 0 ? 0.5 / median(gains) : 1;
   }
 
@@ -71,25 +68,10 @@ class TracePanel {
     this.listen();
   }
 
-  show_chapters() {
-    const { chapters } = this.viewer.trace;
-    element('chapters').replaceChildren();
-    element('trace').hidden = chapters.length === 0;
-    element('chapters').hidden = chapters.length < 2;
-    chapters.forEach(({ title }, k) => this.add_choice(title, k));
+  // Begins with the lines of a result.
+  begin() {
+    element('trace').hidden = this.viewer.trace.lines.length === 0;
     this.open(element('trace').open);
-  }
-
-  add_choice(title, chapter) {
-    const label = append_element(element('chapters'), 'label', '');
-    const input = append_element(label, 'input', '');
-    const checked = chapter === this.viewer.trace.chapter;
-    Object.assign(input, { type: 'radio', name: 'chapter', value: chapter, checked });
-    append_element(label, 'span', title);
-    input.addEventListener('change', () => {
-      Object.assign(this.viewer.trace, { chapter, line: 1 });
-      this.show();
-    });
   }
 
   listen() {
@@ -103,7 +85,7 @@ class TracePanel {
   open(open) {
     const { trace } = this.viewer;
     element('trace').open = open;
-    trace.active = open && trace.chapters.length > 0;
+    trace.active = open && trace.lines.length > 0;
     if (!open)
       this.play(false);
     if (open && trace.line === 0)
@@ -143,8 +125,8 @@ class TracePanel {
 
   show() {
     const { viewer } = this, { trace } = viewer;
-    if (trace.chapters.length > 0) {
-      element('trace-note').textContent = trace.chapters[trace.chapter].note;
+    if (trace.lines.length > 0) {
+      element('trace-note').textContent = (trace.current || trace.lines[0]).note;
       element('line').max = trace.lines.length;
       element('line').value = trace.line;
       element('line-text').textContent = `${trace.line} of ${trace.lines.length}`;

@@ -21,7 +21,7 @@ class Viewer {
     this.room = new Room(data);
     this.camera = new Camera(data.camera, this.room.size, this.room.zero);
     this.drawing.set_room(this.room);
-    Object.assign(this.state, { quantity: data.shown, shading: data.shading, tone: data.tone.first, selected: null,
+    Object.assign(this.state, { quantity: data.shown, shading: data.shading, selected: null,
       exposure: clamped(data.tone.exposure, -6, 6) });
     this.show_light(data);
   }
@@ -33,10 +33,10 @@ class Viewer {
     this.colour_map = bytes_of(data.colour_map);
     this.trace = new Trace(data.trace, this.room);
     this.drawing.set_colour_map(this.colour_map);
-    this.scales = data.tone.scales;
+    this.tone = data.tone;
     this.state.quantity = Math.min(this.state.quantity, this.quantities.length - 1);
     this.panel.show(data);
-    this.trace_panel.show_chapters();
+    this.trace_panel.begin();
     this.change({});
   }
 
@@ -57,7 +57,7 @@ class Viewer {
     Object.assign(this.state, part);
     this.panel.refresh(this.state);
     if (this.state.selected !== selected)
-      this.show_rays([]);
+      this.show_marks();
     this.request_draw();
   }
 
@@ -99,8 +99,8 @@ class Viewer {
     const { state, trace } = this, values = this.quantities[this.drawn_quantity];
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
-      values, tone: tone_numbers[state.tone], borders: state.mesh, smooth: state.shading === 'smooth',
-      scale: values.light ? this.scales[state.tone] * 2 ** state.exposure : 1 / values.legend.top,
+      values, tone: tone_numbers[this.tone.curve], borders: state.mesh, smooth: state.shading === 'smooth',
+      scale: values.light ? this.tone.scale * 2 ** state.exposure : 1 / values.legend.top,
       arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background,
       other: values.light && !trace.active ? this.other : null, wipe: this.wipe };
   }
@@ -116,7 +116,6 @@ class Viewer {
   // Sets the marks: the lines of the trace and the outline of the selected patch.
   show_marks() {
     const marks = this.trace.active ? this.trace.marks() : [];
-    marks.push(...(this.rays || []));
     if (this.state.selected !== null) {
       const corners = this.room.patch_outline(this.state.selected);
       corners.forEach((from, k) =>
@@ -124,12 +123,6 @@ class Viewer {
     }
     this.drawing.set_marks(marks);
     this.request_draw();
-  }
-
-  // Shows these rays until another patch is selected.
-  show_rays(rays) {
-    this.rays = rays;
-    this.show_marks();
   }
 
   // The hit seen at a position of the page, in pixels; null if nothing is seen there.
