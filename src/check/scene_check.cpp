@@ -135,7 +135,6 @@ public:
         coincident_faces();
         unknown_materials();
         bright_materials();
-        depth();
         reader_flaws();
         scale();
         for (Finding& finding : findings_)
@@ -361,15 +360,6 @@ private:
             "reflectance", [&](const Material& m) { return brightness(m) >= 0.95; },
             format("materials that reflect up to %.0f %% of the light, more than any paint: ", 100.0 * brightest),
             "; multiplied over many reflections this decides the brightness, so lower Kd if it is not meant");
-    }
-
-    void depth()
-    {
-        if (report_.trial_lines < report_.wanted_lines)
-            add("depth", file_.path,
-                "very many faces lie on or behind each other, so " + grouped(report_.trial_lines) +
-                    " lines were cast for the figures instead of " + grouped(report_.wanted_lines) +
-                    "; every line takes as much longer");
     }
 
     void reader_flaws()

@@ -12,7 +12,6 @@
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace multipath {
 
@@ -100,10 +99,7 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
 SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads)
 {
     SceneReport report;
-    const auto part = [&](double share) {
-        return static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(wanted_lines)));
-    };
-    const std::uint64_t lines = part(affordable_lines(scene));
+    const std::uint64_t lines = affordable_lines(scene, wanted_lines);
     const ConvexHull hull = scene_hull(scene);
     report.survey = survey_lines(scene, hull, lines, threads);
     report.hull_area = hull.area();
@@ -112,7 +108,7 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
     report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
     report.intersections_per_sphere_line_measured = crossings / static_cast<double>(report.survey.lines);
-    report.direct = measure_direct_light(scene, wanted_lines, threads);
+    report.direct = measure_direct_light(scene, lines, threads);
     report.figures = {intersections_of_hull_line(scene, hull), mean(scene.average_reflectance()),
                       report.direct.secondary_reflectance, report.direct.lit_fraction};
     report.intersections_per_sphere_line =
@@ -122,9 +118,7 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     report.threshold_radiosity = threshold_radiosity(scene);
 
     SolveOptions trial;
-    trial.lines = std::min(lines, part(affordable_source_rays(scene)));
-    report.wanted_lines = wanted_lines;
-    report.trial_lines = trial.lines;
+    trial.lines = lines;
     trial.ratio = 1.0;
     trial.threads = threads;
     report.trapped = patch_of_trapped_light(scene);

@@ -51,9 +51,7 @@ struct SceneReport
     double threshold_radiosity = 0.0; ///< [W/m^2] radiosity (4) above which patches shoot in the first shot
 
     LineSurvey survey;
-    std::uint64_t wanted_lines = 0; ///< number of lines that report_on was asked for
-    std::uint64_t trial_lines = 0;  ///< number of lines of the trial run
-    PowerBalance balance;           ///< balance of the trial run: shows the power that escapes or is lost at backs
+    PowerBalance balance; ///< balance of the trial run: shows the power that escapes or is lost at backs
 
     /// Index of a patch among surfaces that light never leaves (see patch_of_trapped_light). If there is such a patch,
     /// the trial run is omitted, and `balance` is zero.
@@ -63,9 +61,8 @@ struct SceneReport
 /// Default number of lines of `check`. The report of `paper` takes as many, so that both print the same figures.
 constexpr std::uint64_t report_lines = 1u << 20;
 
-/// Measures each figure with about `wanted_lines` >= 1 lines, and the direct light also with shadow rays
-/// (measure_direct_light). Casts fewer lines in scenes where, on the average, more than 16 surfaces coincide or follow
-/// each other along a line (depth_complexity.h). Deterministic; the result does not depend on `threads`.
+/// Measures each figure with about `wanted_lines` >= 1 lines (affordable_lines), and the direct light also with shadow
+/// rays (measure_direct_light). Deterministic; the result does not depend on `threads`.
 SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int threads);
 
 } // namespace multipath

@@ -223,7 +223,7 @@ TEST_CASE("what the reader noticed is passed on")
     CHECK(find(findings, "unknown-material").area_share == doctest::Approx(1.0 / 6.0));
 }
 
-TEST_CASE("hundreds of copies of a face are measured with fewer lines, and a note says so")
+TEST_CASE("hundreds of copies of a face are measured with fewer lines")
 {
     Materials m;
     m.builder.room({0, 0, 0}, {2, 2, 2}, {m.wall, m.lamp, m.wall, m.wall, m.wall, m.wall});
@@ -231,12 +231,10 @@ TEST_CASE("hundreds of copies of a face are measured with fewer lines, and a not
         m.builder.rectangle({0.5, 1, 0.5}, {0, 0, 1}, {1, 0, 0}, m.wall);
     const Scene scene = m.builder.scene(2.0);
     const SceneReport report = report_on(scene, 20000, 2);
-    CHECK(report.trial_lines < 10000);
-    CHECK(report.trial_lines <= report.survey.lines);
+    CHECK(report.survey.lines < 10000);
     CHECK(report.intersections_per_sphere_line_measured ==
           doctest::Approx(report.intersections_per_sphere_line).epsilon(0.1));
     const std::vector<Finding> findings = findings_of(scene, report);
-    CHECK(mentions(find(findings, "depth"), "instead of 20,000"));
     CHECK(mentions(find(findings, "copy"), "at least 10000 pairs"));
 }
 

@@ -10,7 +10,6 @@
 #include "sampling/discrete_distribution.h"
 #include "sampling/halton.h"
 #include "sampling/random.h"
-#include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 #include "transport/lines/shadow_rays.h"
@@ -138,16 +137,12 @@ double find_lit(const Scene& scene, const std::vector<Probe>& probes, Target* fi
                            [](double sum, const Target& target) { return sum + (target.lit ? target.area : 0.0); });
 }
 
-/// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many. `share` scales the
-/// number of patches and of rays.
-double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int threads)
+/// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many.
+double lit_area(const Scene& scene, std::uint64_t most_rays, int threads)
 {
-    const auto shadow_rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
     const std::vector<Probe> probes =
-        make_probes(scene, std::clamp<std::uint64_t>(8 * shadow_rays / scene.patch_count(), 16, 4096));
-    const auto least_patches = static_cast<std::uint64_t>(std::max(16.0, share * (1u << 13)));
-    const auto most_patches =
-        static_cast<std::uint32_t>(std::clamp<std::uint64_t>(shadow_rays, least_patches, 1u << 16));
+        make_probes(scene, std::clamp<std::uint64_t>(8 * most_rays / scene.patch_count(), 16, 4096));
+    const auto most_patches = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most_rays, 1u << 13, 1u << 16));
     std::vector<Target> chosen = targets(scene, most_patches);
     constexpr std::uint32_t patches_at_a_time = 256;
     std::vector<double> area(chosen.size() / patches_at_a_time + 1, 0.0);
@@ -163,11 +158,9 @@ double lit_area(const Scene& scene, std::uint64_t most_rays, double share, int t
 
 DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads)
 {
-    const double share = affordable_source_rays(scene);
-    const auto rays = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(most_rays)));
     PowerState state(scene);
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol", 0);
-    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, rays, 0);
+    const std::vector<Shot> shots = plan_first_shot(scene, state, 0.0, most_rays, 0);
     if (shots.empty()) // the sun shines on nothing
         return {};
     spend(scene, 0.0, shots, state);
@@ -184,8 +177,7 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, in
         squares += sent_on * sent_on / scene.area(i);
     }
     DirectLight result;
-    result.lit_fraction =
-        lit_area(scene, most_rays, std::min(share, affordable_patch_rays(scene)), threads) / scene.total_area();
+    result.lit_fraction = lit_area(scene, most_rays, threads) / scene.total_area();
     result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
     result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
     return result;

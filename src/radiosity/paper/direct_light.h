@@ -20,7 +20,7 @@ struct DirectLight
 
 /// Estimates the figures by `most_rays` rays from the sources, and by shadow rays between sources and patches: at most
 /// 8 * most_rays, or 16 per tested patch if that is more. If there are very many patches, only a sample of them is
-/// tested. Casts fewer rays where many surfaces coincide with sources or patches (depth_complexity.h). Deterministic.
+/// tested. Deterministic.
 DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, int threads);
 
 } // namespace multipath

@@ -4,6 +4,7 @@
 #include "radiosity/paper/direct_light.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/run/run.h"
+#include "transport/lines/depth_complexity.h"
 
 namespace multipath {
 
@@ -28,7 +29,8 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
     figures.intersections = intersections_of_hull_line(scene);
     figures.average_reflectance = mean(scene.average_reflectance());
     if (first_shot_of(options) == FirstShot::plain) {
-        const DirectLight direct = measure_direct_light(scene, rays_for_ratio, options.threads);
+        const DirectLight direct =
+            measure_direct_light(scene, affordable_lines(scene, rays_for_ratio), options.threads);
         figures.secondary_reflectance = direct.secondary_reflectance;
         figures.lit_fraction = direct.lit_fraction;
     } else {

@@ -5,6 +5,7 @@
 #include "radiosity/run/methods.h"
 
 #include "base/errors.h"
+#include "geometry/intersector/intersector.h"
 #include "radiosity/family/gathering_walk.h"
 #include "radiosity/family/stochastic_jacobi.h"
 #include "radiosity/family/transillumination.h"
@@ -151,15 +152,26 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
            emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);
 }
 
+/// True if 16 other faces or more lie on the average of up to 64 patches.
+bool faces_are_piled_up(const Scene& scene)
+{
+    constexpr std::uint32_t trials = 64;
+    std::size_t faces = 0;
+    for (std::uint64_t k = 0; k < trials; ++k) {
+        const auto i = static_cast<std::uint32_t>(k * scene.patch_count() / trials);
+        faces += scene.intersector().coincident_surfaces(scene.surface_of(i), scene.patch(i).shape.centre()).size();
+    }
+    return faces >= 16 * trials;
+}
+
 /// Makes a table of all pairs where it pays and fits into memory; otherwise prepares the lights. There is no table
 /// either if counting all pairs along the lines, or testing the pairs of many coincident faces for contact, would
 /// dominate the time.
 void prepare_pairs(const Scene& scene, const SolveOptions& options, Preparation& preparation)
 {
-    constexpr double many_pairs = 4096.0;
     if (options.all_pairs && !options.importance && table_pays(scene, options.lines) &&
-        reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && affordable_patch_rays(scene) == 1.0 &&
-        pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs)
+        reuse_bytes(scene) <= bytes_for_pairs(options.memory, scene) && !faces_are_piled_up(scene) &&
+        pairs_along_line(scene, GlobalLines(scene.bounds(), chords_of(options))) <= many_pairs_along_line)
         preparation.unoccluded =
             std::async(std::launch::deferred, unoccluded_exchange, std::cref(scene), options.threads);
     else
