@@ -73,14 +73,12 @@ void reflect(const Scene& scene, std::uint64_t depth, RayBlock& rays, std::vecto
     particles.resize(left);
 }
 
-/// Keeps at most `most` particles, evenly spread over the list.
-void thin_out(std::vector<Particle>& particles, std::size_t most)
+/// Keeps every other particle, so that they stay evenly spread over the sources.
+void halve(std::vector<Particle>& particles)
 {
-    if (particles.size() <= most)
-        return;
-    for (std::size_t k = 0; k < most; ++k)
-        particles[k] = particles[k * particles.size() / most];
-    particles.resize(most);
+    for (std::size_t k = 0; 2 * k < particles.size(); ++k)
+        particles[k] = particles[2 * k];
+    particles.resize((particles.size() + 1) / 2);
 }
 
 } // namespace
@@ -94,10 +92,9 @@ std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene)
     RayBlock rays;
     for (std::uint64_t depth = 0; depth < endless_reflections && !particles.empty(); ++depth) {
         reflect(scene, depth, rays, particles);
-        if (depth == 64) // open spaces have lost most of the light by now
-            thin_out(particles, 256);
-        if (depth == 4096)
-            thin_out(particles, 4);
+        const bool is_power_of_two = (depth & (depth - 1)) == 0;
+        if (depth >= 64 && is_power_of_two) // open spaces have lost most of the light by now
+            halve(particles);
     }
     return particles.empty() ? std::nullopt : std::optional(particles.front().at);
 }

@@ -11,8 +11,8 @@ namespace multipath {
 /// meets only patches of reflectance 1 in some channel, so that the radiosity is unbounded. The function follows 4096
 /// particles from the patches that emit light or reflect sunlight; light is trapped if, after 65,536 reflections, a
 /// particle has lost nothing in some channel. A trap may be missed, since with more than 4096 such patches some send no
-/// particle, and since of the surviving particles at most 256 go on after 65 reflections, and 4 after 4097. A space in
-/// which a reflection loses light with a probability below 1e-4 may be taken for a trap.
+/// particle, and since of the surviving particles every other one goes on after 64, 128, 256 ... reflections. A space
+/// in which a reflection loses light with a probability below 1e-4 may be taken for a trap.
 std::optional<std::uint32_t> patch_of_trapped_light(const Scene& scene);
 
 /// Throws InputError if light is trapped (patch_of_trapped_light).
