@@ -33,55 +33,39 @@ struct SamplePoint
     double weight; ///< [1] 1 on the average
 };
 
-/// Sample points from a mixture of three distributions: uniform by area; the same number in every patch, as more detail
-/// is seen where patches are small; and by the power that patches reflect, as errors are large in bright places. The
-/// weight of a point is the inverse of the density of the mixture.
+/// Sample points in patches chosen at random, uniform within each. The density is the mean of three: uniform by area;
+/// the same for every patch, as more detail is seen where patches are small; and by the power that patches reflect, as
+/// errors are large in bright places. The weight of a point is the inverse of its density.
 class SamplePoints
 {
 public:
-    SamplePoints(const Scene& scene, const std::vector<Rgb>& guide) : scene_(scene), guide_(guide)
+    SamplePoints(const Scene& scene, const std::vector<Rgb>& guide) : scene_(scene)
     {
-        for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
-            areas_.add(scene.surfaces()[s].area());
+        const auto reflected = [&](std::uint32_t i) {
+            return scene.area(i) * std::max(0.0, mean(guide[i] - scene.emittance(i)));
+        };
+        double all_reflected = 0.0;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            powers_.add(scene.area(i) * reflected(i));
+            all_reflected += reflected(i);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            chances_.push_back(scene.is_sky_patch(i) ? 0.0
+                                                     : scene.area(i) / scene.own_area() + 1.0 / scene.patch_count() +
+                                                           quotient(reflected(i), all_reflected));
+        for (const double chance : chances_)
+            patches_.add(chance);
     }
 
     SamplePoint at(const Item& item) const
     {
-        const bool any_power = powers_.total() > 0.0;
-        const double kinds = any_power ? 3.0 : 2.0;
-        const double kind = kinds * item[3];
-        const Hit hit = kind < 1.0   ? by_area(item[0], item[1], item[2])
-                        : kind < 2.0 ? in_patch(any_patch(item[0]), item[1], item[2])
-                                     : in_patch(static_cast<std::uint32_t>(powers_.at(item[0])), item[1], item[2]);
-        const std::uint32_t patch = scene_.patch_at(hit.surface, hit.u, hit.v, hit.front);
-        if (scene_.is_sky(hit.surface))
-            return {hit, 0.0};
-        double density = 1.0 + scene_.own_area() / (scene_.patch_count() * scene_.area(patch));
-        if (any_power)
-            density += scene_.own_area() * reflected(patch) / powers_.total();
-        return {hit, kinds / density};
+        const auto patch = static_cast<std::uint32_t>(patches_.at(item[0]));
+        const double weight = scene_.area(patch) / scene_.own_area() * patches_.total() / chances_[patch];
+        return {point_in(patch, item[1], item[2]), weight};
     }
 
 private:
-    double reflected(std::uint32_t i) const { return std::max(0.0, mean(guide_[i] - scene_.emittance(i))); }
-
-    std::uint32_t any_patch(double x) const { return static_cast<std::uint32_t>(x * scene_.patch_count()); }
-
-    Hit by_area(double which, double a, double b) const
-    {
-        const double sides = scene_.two_sided() ? 2.0 : 1.0;
-        const bool front = which * sides < 1.0;
-        const auto surface = static_cast<std::uint32_t>(areas_.at(front ? which * sides : which * sides - 1.0));
-        const SurfacePoint inside = square_to_uniform_shape(scene_.surfaces()[surface].shape, a, b);
-        return {0.0, surface, inside.u, inside.v, front};
-    }
-
-    Hit in_patch(std::uint32_t patch, double a, double b) const
+    Hit point_in(std::uint32_t patch, double a, double b) const
     {
         const std::uint32_t surface = scene_.surface_of(patch);
-        const bool front = scene_.is_front(patch);
         const Tessellation& cells = scene_.tessellation(surface);
         const CellCorners corners = scene_.corners(patch);
         const SurfacePoint inside = square_to_uniform_shape(cells.shape, a, b);
@@ -92,13 +76,12 @@ private:
             return (from + inside.u * (to_u - from) + inside.v * (to_v - from)) / whole;
         };
         return {0.0, surface, between(origin.i, along_u.i, along_v.i, cells.grid_u()),
-                between(origin.j, along_u.j, along_v.j, cells.grid_v()), front};
+                between(origin.j, along_u.j, along_v.j, cells.grid_v()), scene_.is_front(patch)};
     }
 
     const Scene& scene_;
-    const std::vector<Rgb>& guide_;
-    DiscreteDistribution areas_;  ///< [m^2] of the surfaces
-    DiscreteDistribution powers_; ///< [W] reflected by the patches
+    std::vector<double> chances_; ///< [1] relative chance of every patch
+    DiscreteDistribution patches_;
 };
 
 /// Sums over sample points.
@@ -144,7 +127,7 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
                 const Vec3 point = side.at(hit.u, hit.v);
                 if (!hit.front)
                     std::swap(side.edge_u, side.edge_v);
-                if (weight == 0.0 || is_covered(scene, hit.surface, side, point))
+                if (is_covered(scene, hit.surface, side, point))
                     continue;
                 const Deviations there = deviations(hit, blocks.first(block) + k);
                 const double product = weight * mean(there.one * there.other);
