@@ -51,7 +51,7 @@ unknown_command() { ends 2 sovle && silent out && says err "expected one of solv
 check "a misspelled command is answered with the list of all" unknown_command
 
 unknown_option() {
-    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "unknown option '--line'" &&
+    ends 2 solve "$root/scenes/5cubes.obj" --line 5 && says err "unknown option '--line'; did you mean --lines?" &&
         says err "multipath solve --help"
 }
 check "a misspelled option is answered with the way to the help" unknown_option

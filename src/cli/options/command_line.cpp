@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "cli/options/spelling.h"
 
 #include <algorithm>
 #include <cassert>
@@ -103,8 +104,13 @@ bool CommandLine::read_option(const std::string& argument, const std::string* ne
     const std::string name = argument.substr(0, is_long ? argument.find('=') : 2);
     const Option* option = first_option(
         table_, [&](const Option& o) { return is_long ? dashed(o) == name : o.short_name == name.back(); });
-    if (option == nullptr)
-        throw UsageError("unknown option " + quoted_argument(is_long ? name : argument));
+    if (option == nullptr) {
+        const std::string typed = is_long ? name : argument;
+        std::vector<std::string> known;
+        for (const Option& other : all_options(table_.groups))
+            known.push_back(dashed(other));
+        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, known));
+    }
     const bool attached = name.size() < argument.size();
     std::string value = attached ? argument.substr(name.size() + (argument[name.size()] == '=' ? 1 : 0)) : "";
     if (attached && option->argument.empty())

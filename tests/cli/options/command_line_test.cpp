@@ -96,12 +96,12 @@ TEST_CASE("wrong usage is refused with one plain line")
         const char* message;
     };
     const std::vector<Wrong> cases = {
-        {{"room.obj", "--line", "5"}, "unknown option '--line'"},
-        {{"room.obj", "--line=5"}, "unknown option '--line'"},
+        {{"room.obj", "--line", "5"}, "unknown option '--line'; did you mean --lines?"},
+        {{"room.obj", "--line=5"}, "unknown option '--line'; did you mean --lines?"},
         {{"room.obj", "--zebra"}, "unknown option '--zebra'"},
         {{"room.obj", "-x"}, "unknown option '-x'"},
         {{"room.obj", "-qx"}, "--quiet takes no value, got 'x'"},
-        {{"room.obj", "-lines"}, "unknown option '-lines'"},
+        {{"room.obj", "-lines"}, "unknown option '-lines'; did you mean --lines?"},
         {{"room.obj", "--lines"}, "--lines needs a value: --lines N"},
         {{"room.obj", "-o"}, "--output needs a value: --output FILE"},
         {{"room.obj", "-o", "--quiet"}, "--output needs a value: --output FILE"},
