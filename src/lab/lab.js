@@ -221,6 +221,17 @@ class Laboratory {
     this.viewer?.compare(on ? this.kept.light : null, Number(element('wipe').value));
   }
 
+  // Shows which surfaces light the selected patch, and some rays to them.
+  show_lights() {
+    const { viewer } = this, patch = viewer?.state.selected;
+    if (patch === null || patch === undefined)
+      return;
+    const { surfaces, rays } = lights_of(patch, viewer.room, this.run.light.values), most = Math.max(...rays.map(ray => ray.light));
+    this.controls.show_lights(surfaces.map(({ surface, share }) => ({ name: viewer.room.surface_name(surface), share })));
+    viewer.show_rays(rays.map(({ from, to, light }) =>
+      ({ from, to, width: 1.5, colour: [...line_ink.slice(0, 3), 0.15 + 0.85 * light / most] })));
+  }
+
   // Saves an output of the program, made by the command of the last result.
   async save(name) {
     const job = this.solver.run({ words: [...this.words(this.next / 2), '--threads', '1', '-q', '-o', name],

@@ -45,8 +45,18 @@ class LabControls {
     on('files', 'change', event => lab.open(event.target.files));
     on('lesson-choice', 'change', event => lab.choose_lesson(event.target.value));
     on('copy-command', 'click', event => copy_text(event.target, lab.command()));
+    this.who = append_element(element('patch'), 'button', 'Who lights it?');
+    this.who.type = 'button';
+    this.who.addEventListener('click', () => lab.show_lights());
+    this.lights = append_element(element('patch'), 'table', '');
     for (const button of document.querySelectorAll('[data-save]'))
       button.addEventListener('click', () => lab.save(button.dataset.save));
+    const stage = element('stage');
+    stage.addEventListener('dragover', event => event.preventDefault());
+    stage.addEventListener('drop', event => {
+      event.preventDefault();
+      lab.open(event.dataTransfer.files);
+    });
     window.addEventListener('hashchange', () => lab.follow(location.hash.slice(1)));
   }
 
@@ -65,6 +75,7 @@ class LabControls {
 
   show_running(on) {
     element('start').textContent = on ? 'Stop' : this.lab.can_go_on ? 'Go on' : 'Run again';
+    document.body.classList.toggle('running', on);
   }
   show_progress(lines, share) {
     element('progress').textContent = share < 1 ? `${grouped(lines)} lines: ${Math.round(100 * share)} %`
@@ -93,6 +104,15 @@ class LabControls {
       button.setAttribute('aria-pressed', String(k === number));
       button.disabled = true;
     });
+  }
+  // The surfaces that light the selected patch, with their shares.
+  show_lights(surfaces) {
+    this.lights.replaceChildren();
+    for (const { name, share } of surfaces) {
+      const row = append_element(this.lights, 'tr', '');
+      append_element(row, 'td', name);
+      append_element(row, 'td', `${(100 * share).toFixed(1)} %`);
+    }
   }
   show_finding(text) { element('lesson-finding').textContent = text; }
 }

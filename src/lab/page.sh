@@ -56,7 +56,7 @@ function data(id, type, name) { printf "<script type=\"%s\" id=\"%s\">", type, i
     next
 }
 /^<\/body>/ {
-    n = split("settings solver curve lesson lab_controls lab", names, " ")
+    n = split("settings solver curve lesson who lab_controls lab", names, " ")
     for (k = 1; k <= n; ++k) {
         print "<script>"
         put(lab "/" names[k] ".js")

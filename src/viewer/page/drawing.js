@@ -243,6 +243,7 @@ class Drawing {
   // light.
   async load_images(list) {
     const gl = this.gl, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    const sharp = gl.getExtension('EXT_texture_filter_anisotropic');
     const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
     for (const [number, { type, data, repeats }] of list.entries()) {
       const bitmap = await createImageBitmap(new Blob([bytes_of(data)], { type }), options).catch(() => null);
@@ -255,6 +256,8 @@ class Drawing {
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
+      if (sharp)
+        gl.texParameterf(gl.TEXTURE_2D, sharp.TEXTURE_MAX_ANISOTROPY_EXT, 8);
       this.images[number] = texture;
       bitmap.close();
     }

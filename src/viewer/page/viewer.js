@@ -57,7 +57,7 @@ class Viewer {
     Object.assign(this.state, part);
     this.panel.refresh(this.state);
     if (this.state.selected !== selected)
-      this.show_marks();
+      this.show_rays([]);
     this.request_draw();
   }
 
@@ -116,6 +116,7 @@ class Viewer {
   // Sets the marks: the lines of the trace and the outline of the selected patch.
   show_marks() {
     const marks = this.trace.active ? this.trace.marks() : [];
+    marks.push(...(this.rays || []));
     if (this.state.selected !== null) {
       const corners = this.room.patch_outline(this.state.selected);
       corners.forEach((from, k) =>
@@ -123,6 +124,12 @@ class Viewer {
     }
     this.drawing.set_marks(marks);
     this.request_draw();
+  }
+
+  // Shows these rays until another patch is selected.
+  show_rays(rays) {
+    this.rays = rays;
+    this.show_marks();
   }
 
   // The hit seen at a position of the page, in pixels; null if nothing is seen there.
