@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cinttypes>
-#include <optional>
 #include <stdexcept>
 
 namespace multipath {
@@ -92,8 +91,7 @@ struct DiscrepancyRow
 {
     std::uint64_t count;
     double l2_star;
-    double random_l2_star;      ///< root mean square for independent random points
-    std::optional<double> star; ///< in one and two dimensions
+    double random_l2_star; ///< root mean square for independent random points
 };
 
 /// Measures the first 1, 2, 4, ... points of the range, and all of them. O(count^2).
@@ -107,8 +105,7 @@ std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
     std::vector<DiscrepancyRow> rows;
     for (const std::uint64_t n : counts) {
         const PointSet points = points_of(*range.sequence, range.first, n);
-        rows.push_back({n, l2_star_discrepancy(points), random_l2_star_discrepancy(points.size(), points.dimensions),
-                        star_discrepancy(points)});
+        rows.push_back({n, l2_star_discrepancy(points), random_l2_star_discrepancy(points.size(), points.dimensions)});
     }
     return rows;
 }
@@ -116,23 +113,19 @@ std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
 /// The table as text with aligned columns.
 std::string discrepancy_text(const std::vector<DiscrepancyRow>& rows)
 {
-    std::string text = format("%9s%13s%13s%13s\n", "points", "L2 star", "if random", "star");
+    std::string text = format("%9s%13s%13s\n", "points", "L2 star", "if random");
     for (const DiscrepancyRow& row : rows)
-        text += format("%9" PRIu64 "%13.4e%13.4e", row.count, row.l2_star, row.random_l2_star) +
-                (row.star ? format("%13.4e\n", *row.star) : format("%13s\n", "-"));
+        text += format("%9" PRIu64 "%13.4e%13.4e\n", row.count, row.l2_star, row.random_l2_star);
     return text;
 }
 
-/// The table as CSV; `star` is empty where it is not computed.
+/// The table as CSV.
 std::string discrepancy_table(const std::vector<DiscrepancyRow>& rows, const std::vector<std::string>& comments)
 {
-    std::string table = comment_lines(comments) + "count,l2_star,random_l2_star,star\n";
+    std::string table = comment_lines(comments) + "count,l2_star,random_l2_star\n";
     for (const DiscrepancyRow& row : rows) {
         append_number(table += std::to_string(row.count) + ",", row.l2_star);
         append_number(table += ",", row.random_l2_star);
-        table += ",";
-        if (row.star)
-            append_number(table, *row.star);
         table += "\n";
     }
     return table;

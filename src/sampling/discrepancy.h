@@ -2,7 +2,7 @@
 
 #include "sampling/sequence.h"
 
-#include <optional>
+#include <vector>
 
 namespace multipath {
 
@@ -32,10 +32,8 @@ inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::ui
 
 // Discrepancy: how far a point set is from uniform. The local discrepancy of a box [0, q) is the fraction of the points
 // that lie in the box, minus the volume of the box. The L2 star discrepancy is the root mean square of the local
-// discrepancy over all corners q in the unit cube, the star discrepancy is its largest absolute value. Sources:
-// Warnock, "Computational investigations of low-discrepancy point sets" (1972); Niederreiter, "Random number generation
-// and quasi-Monte Carlo methods" (1992), theorem 2.6; De Clerck, "A method for exact calculation of the star
-// discrepancy of plane sets" (1986).
+// discrepancy over all corners q in the unit cube (Warnock, "Computational investigations of low-discrepancy point sets",
+// 1972).
 
 /// L2 star discrepancy of N >= 1 points in d dimensions, in O(N^2 d) time.
 double l2_star_discrepancy(const PointSet& points);
@@ -43,9 +41,5 @@ double l2_star_discrepancy(const PointSet& points);
 /// Root mean square of the L2 star discrepancy of N = `count` independent uniform points: sqrt((2^-d - 3^-d) / N), from
 /// the variance of the indicator of a box averaged over all boxes.
 double random_l2_star_discrepancy(std::size_t count, int dimensions);
-
-/// Exact star discrepancy of N >= 1 points, in O(N log N) time in one dimension and O(N^2) in two. std::nullopt for
-/// points of more dimensions.
-std::optional<double> star_discrepancy(const PointSet& points);
 
 } // namespace multipath

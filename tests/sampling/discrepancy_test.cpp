@@ -2,7 +2,6 @@
 
 #include "statistics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -15,31 +14,6 @@ namespace {
 PointSet sample(const char* name, int dimensions, std::uint64_t count, std::uint64_t seed = 1)
 {
     return points_of(*make_sequence(name, seed, dimensions), 0, count);
-}
-
-/// The largest local discrepancy by its definition: at every pair of coordinates, 1 among them, counted open and
-/// closed.
-double star_by_definition(const PointSet& points)
-{
-    const auto coordinates = [&](int d) {
-        std::vector<double> values = {1.0};
-        for (std::size_t n = 0; n < points.size(); ++n)
-            values.push_back(points.at(n, d));
-        return values;
-    };
-    double largest = 0.0;
-    for (const double x : coordinates(0))
-        for (const double y : coordinates(1)) {
-            double open = 0.0;
-            double closed = 0.0;
-            for (std::size_t n = 0; n < points.size(); ++n) {
-                open += points.at(n, 0) < x && points.at(n, 1) < y ? 1.0 : 0.0;
-                closed += points.at(n, 0) <= x && points.at(n, 1) <= y ? 1.0 : 0.0;
-            }
-            const auto count = static_cast<double>(points.size());
-            largest = std::max({largest, x * y - open / count, closed / count - x * y});
-        }
-    return largest;
 }
 
 /// The mean square of the local discrepancy by the midpoint rule over `cells` x `cells` boxes.
@@ -75,43 +49,14 @@ TEST_CASE("one point in the middle has the L2 star discrepancy of the closed for
 }
 
 // Midpoints of N cells: the local discrepancy is a saw tooth of height 1/(2N), whose mean square is 1/(12 N^2).
-TEST_CASE("midpoints of equal cells have the discrepancies 1/(2N) and 1/(sqrt(12) N), the least in one dimension")
+TEST_CASE("midpoints of equal cells have the L2 star discrepancy 1/(sqrt(12) N), the least in one dimension")
 {
     for (const int count : {1, 2, 7, 64}) {
         PointSet midpoints{1, {}};
         for (int i = 0; i < count; ++i)
             midpoints.coordinates.push_back((i + 0.5) / count);
-        CHECK(star_discrepancy(midpoints).value() == doctest::Approx(0.5 / count).epsilon(1e-12));
         CHECK(l2_star_discrepancy(midpoints) == doctest::Approx(1.0 / std::sqrt(12.0) / count).epsilon(1e-9));
     }
-}
-
-TEST_CASE("points at i/N have the star discrepancy 1/N in one dimension")
-{
-    CHECK(star_discrepancy({1, {0.0, 0.25, 0.75, 0.5}}).value() == doctest::Approx(0.25).epsilon(1e-14));
-}
-
-TEST_CASE("the star discrepancy of one point in the square is the larger of its box and what is left of the widest one")
-{
-    CHECK(star_discrepancy({2, {0.5, 0.5}}).value() == doctest::Approx(0.75).epsilon(1e-14)); // closed box of area 1/4
-    CHECK(star_discrepancy({2, {0.9, 0.95}}).value() ==
-          doctest::Approx(0.95).epsilon(1e-14)); // open strip below the point
-}
-
-TEST_CASE("in the plane the star discrepancy is that of the definition, with equal coordinates as well")
-{
-    for (const char* name : {"random", "halton", "sobol"})
-        for (const std::uint64_t count : {1u, 2u, 3u, 13u, 64u, 100u}) {
-            const PointSet points = sample(name, 2, count);
-            CHECK(star_discrepancy(points).value() == doctest::Approx(star_by_definition(points)).epsilon(1e-12));
-        }
-    const PointSet lattice{2, {0.0, 0.0, 0.5, 0.0, 0.0, 0.5, 0.5, 0.5, 0.5, 0.25}};
-    CHECK(star_discrepancy(lattice).value() == doctest::Approx(star_by_definition(lattice)).epsilon(1e-12));
-}
-
-TEST_CASE("there is no star discrepancy in three dimensions")
-{
-    CHECK_FALSE(star_discrepancy(sample("sobol", 3, 8)).has_value());
 }
 
 // The midpoint rule errs by up to one cell's width around every step of the count: about 1/400 relative here.
