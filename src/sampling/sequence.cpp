@@ -2,12 +2,10 @@
 
 #include "sampling/halton.h"
 #include "sampling/kronecker.h"
-#include "sampling/random.h"
 #include "sampling/sobol.h"
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -95,10 +93,8 @@ std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensi
     return bases;
 }
 
-using SequencePointer = std::unique_ptr<Sequence>;
-
 /// Arguments: the number of points, also as in "2^16", and after a colon the bases of the other dimensions.
-SequencePointer make_hammersley(const SequenceRequest& request)
+std::unique_ptr<Sequence> make_hammersley(const SequenceRequest& request)
 {
     const std::string& arguments = request.arguments;
     const int dimensions = request.dimensions;
@@ -116,79 +112,58 @@ SequencePointer make_hammersley(const SequenceRequest& request)
     return make_hammersley_sequence(number[0], bases_or_default(bases, dimensions - 1));
 }
 
-SequencePointer make_halton(const SequenceRequest& request)
+std::unique_ptr<Sequence> make_halton(const SequenceRequest& request)
 {
     return make_halton_sequence(request, bases_or_default(request.arguments, request.dimensions));
 }
 
-SequencePointer make_random(const SequenceRequest& request)
+std::unique_ptr<Sequence> make_random(const SequenceRequest& request)
 {
     return std::make_unique<RandomSequence>(request);
 }
-
-/// A kind of sequence, its randomisation by one of the streams of random numbers, and the function that makes it.
-struct MadeKind
-{
-    SequenceKind kind;
-    Randomisation randomisation;
-    RandomStream stream;
-    SequencePointer (*make)(const SequenceRequest& request);
-};
 
 constexpr bool at_any_number = false;
 constexpr bool at_powers_of_two = true;
 constexpr bool in_selftest = true;
 
-constexpr MadeKind made_kinds[] = {
-    {{"random", "", "pseudo-random numbers by counter", "random", at_any_number, in_selftest},
-     Randomisation::none,
-     RandomStream::random_sequence,
-     make_random},
-    {{"sobol", "", "Sobol's sequence", "sobol-owen", at_powers_of_two, in_selftest},
-     Randomisation::none,
-     RandomStream::sobol_shift,
-     make_sobol_sequence},
-    {{"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift", at_powers_of_two, !in_selftest},
-     Randomisation::shift,
-     RandomStream::sobol_shift,
-     make_sobol_sequence},
-    {{"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen", at_powers_of_two, in_selftest},
-     Randomisation::scramble,
-     RandomStream::sobol_scrambling,
-     make_sobol_sequence},
-    {{"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted", at_any_number, in_selftest},
-     Randomisation::none,
-     RandomStream::halton_shift,
-     make_halton},
-    {{"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift", at_any_number, !in_selftest},
-     Randomisation::shift,
-     RandomStream::halton_shift,
-     make_halton},
-    {{"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted", at_any_number, in_selftest},
-     Randomisation::scramble,
-     RandomStream::halton_permutations,
-     make_halton},
-    {{"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift", at_any_number, in_selftest},
-     Randomisation::none,
-     RandomStream::kronecker,
-     make_kronecker_sequence},
-    {{"kronecker-shift", "", "the same from a random start", "kronecker-shift", at_any_number, !in_selftest},
-     Randomisation::shift,
-     RandomStream::kronecker,
-     make_kronecker_sequence},
-    {{"hammersley", ":N[:BASES]", "N items, the first number n/N", "", at_any_number, !in_selftest},
-     Randomisation::none,
-     RandomStream::halton_shift,
-     make_hammersley},
-};
+} // namespace
+
+const std::vector<SequenceKind>& sequence_kinds()
+{
+    static const std::vector<SequenceKind> kinds = {
+        {"random", "", "pseudo-random numbers by counter", "random", Randomisation::none, RandomStream::random_sequence,
+         make_random, at_any_number, in_selftest},
+        {"sobol", "", "Sobol's sequence", "sobol-owen", Randomisation::none, RandomStream::sobol_shift,
+         make_sobol_sequence, at_powers_of_two, in_selftest},
+        {"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift", Randomisation::shift,
+         RandomStream::sobol_shift, make_sobol_sequence, at_powers_of_two, !in_selftest},
+        {"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen", Randomisation::scramble,
+         RandomStream::sobol_scrambling, make_sobol_sequence, at_powers_of_two, in_selftest},
+        {"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted", Randomisation::none,
+         RandomStream::halton_shift, make_halton, at_any_number, in_selftest},
+        {"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift", Randomisation::shift,
+         RandomStream::halton_shift, make_halton, at_any_number, !in_selftest},
+        {"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted", Randomisation::scramble,
+         RandomStream::halton_permutations, make_halton, at_any_number, in_selftest},
+        {"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift", Randomisation::none,
+         RandomStream::kronecker, make_kronecker_sequence, at_any_number, in_selftest},
+        {"kronecker-shift", "", "the same from a random start", "kronecker-shift", Randomisation::shift,
+         RandomStream::kronecker, make_kronecker_sequence, at_any_number, !in_selftest},
+        {"hammersley", ":N[:BASES]", "N items, the first number n/N", "", Randomisation::none,
+         RandomStream::halton_shift, make_hammersley, at_any_number, !in_selftest},
+    };
+    return kinds;
+}
+
+namespace {
 
 /// "random, sobol, ... or hammersley:N[:BASES]"
 std::string known_kinds()
 {
     std::string text;
-    for (const MadeKind& made : made_kinds) {
-        text += &made == std::begin(made_kinds) ? "" : &made + 1 == std::end(made_kinds) ? " or " : ", ";
-        text.append(made.kind.name).append(made.kind.arguments);
+    for (const SequenceKind& kind : sequence_kinds()) {
+        text += text.empty() ? "" : &kind == &sequence_kinds().back() ? " or " : ", ";
+        text.append(kind.name).append(kind.arguments);
     }
     return text;
 }
@@ -206,16 +181,6 @@ NameParts parts_of(const std::string& name)
     return {name.substr(0, colon), name.substr(colon)};
 }
 
-const MadeKind& kind_named(const std::string& name)
-{
-    const std::string kind = parts_of(name).kind;
-    const auto* const made = std::find_if(std::begin(made_kinds), std::end(made_kinds),
-                                          [&](const MadeKind& candidate) { return candidate.kind.name == kind; });
-    if (made == std::end(made_kinds))
-        throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
-    return *made;
-}
-
 } // namespace
 
 void Sequence::generate(std::uint64_t first, std::vector<Item>& items) const
@@ -229,45 +194,31 @@ std::uint64_t SequenceRequest::random_bits_of(std::size_t dimension) const
     return randomisation == Randomisation::none ? 0 : random_bits(key, dimension);
 }
 
-std::vector<SequenceKind> sequence_kinds()
-{
-    std::vector<SequenceKind> kinds;
-    for (const MadeKind& made : made_kinds)
-        kinds.push_back(made.kind);
-    return kinds;
-}
-
 const SequenceKind& sequence_kind(const std::string& name)
 {
-    return kind_named(name).kind;
+    const std::string wanted = parts_of(name).kind;
+    const auto kind = std::find_if(sequence_kinds().begin(), sequence_kinds().end(),
+                                   [&](const SequenceKind& candidate) { return candidate.name == wanted; });
+    if (kind == sequence_kinds().end())
+        throw std::invalid_argument("unknown sequence '" + name + "'; expected " + known_kinds());
+    return *kind;
 }
 
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions)
 {
-    const MadeKind& made = kind_named(name);
+    const SequenceKind& made = sequence_kind(name);
     const auto [kind, arguments] = parts_of(name);
-    if (!arguments.empty() && (made.kind.arguments.empty() || arguments == ":"))
-        throw std::invalid_argument(
-            "cannot read the sequence '" + name +
-            "': " + (made.kind.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
+    if (!arguments.empty() && (made.arguments.empty() || arguments == ":"))
+        throw std::invalid_argument("cannot read the sequence '" + name + "': " +
+                                    (made.arguments.empty() ? kind + " takes no bases" : "nothing follows the colon"));
     return made.make({kind, arguments.empty() ? "" : arguments.substr(1), dimensions, made.randomisation,
                       random_key(made.stream, seed)});
 }
 
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing)
 {
-    if (pairing == Pairing::four_dimensional)
-        return make_sequence(name, seed);
-    // Four bases are those of 4-D items; pairs of 2-D points use the first two.
-    const std::size_t colon = name.find(':');
-    const bool has_bases = sequence_kind(name).arguments == "[:BASES]" && colon != std::string::npos;
-    std::string points = name;
-    if (has_bases) {
-        const std::vector<std::uint64_t> bases = parse_list(name.substr(colon + 1));
-        if (bases.size() == 4)
-            points = name.substr(0, colon + 1) + std::to_string(bases[0]) + "," + std::to_string(bases[1]);
-    }
-    return std::make_unique<PairedSequence>(make_sequence(points, seed, 2));
+    return pairing == Pairing::four_dimensional ? make_sequence(name, seed)
+                                                : std::make_unique<PairedSequence>(make_sequence(name, seed, 2));
 }
 
 std::string randomised_name(const std::string& name)

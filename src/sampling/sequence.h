@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sampling/random.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -65,9 +67,8 @@ std::uint64_t bits_from(const Item& item);
 /// that the second arrangement fails for quasi-random sequences (its section 3).
 enum class Pairing { four_dimensional, two_dimensional };
 
-/// A kind of sequence, a row of the table in sequence.cpp. In the name of a sequence, arguments may follow the name of
-/// its kind: a list of pairwise coprime bases as in `halton:2,7,3,5`, a number of points as in `hammersley:4096`, or
-/// both as in `hammersley:4096:2,7,3`.
+/// A kind of sequence. In the name of a sequence, arguments may follow the name of its kind: a list of pairwise coprime
+/// bases as in `halton:2,7,3,5`, a number of points as in `hammersley:4096`, or both as in `hammersley:4096:2,7,3`.
 struct SequenceKind
 {
     std::string_view name;
@@ -76,12 +77,15 @@ struct SequenceKind
     /// Name of the kind that randomises the same points by the seed. A randomised kind has its own name here; the text
     /// is empty if no kind randomises these points.
     std::string_view randomised;
+    Randomisation randomisation;
+    RandomStream stream; ///< of its random numbers
+    std::unique_ptr<Sequence> (*make)(const SequenceRequest& request);
     bool fills_best_at_powers_of_two; ///< true if the first 2^k points are more uniform than other numbers of points
     bool in_selftest;                 ///< true if the selftest runs it
 };
 
 /// All kinds of sequences, in the order of the help text.
-std::vector<SequenceKind> sequence_kinds();
+const std::vector<SequenceKind>& sequence_kinds();
 
 /// The kind of a sequence, given its name with or without arguments. The arguments are not checked. Throws
 /// std::invalid_argument for an unknown name.
@@ -92,7 +96,7 @@ const SequenceKind& sequence_kind(const std::string& name);
 std::unique_ptr<Sequence> make_sequence(const std::string& name, std::uint64_t seed, int dimensions = 4);
 
 /// Makes a sequence of 4-D items for lines. With two_dimensional pairing, item n consists of the points 2 n and 2 n + 1
-/// of a 2-D sequence; if the name has four bases, the 2-D sequence takes the first two. Throws like make_sequence.
+/// of a 2-D sequence. Throws like make_sequence.
 std::unique_ptr<Sequence> make_line_sequence(const std::string& name, std::uint64_t seed, Pairing pairing);
 
 /// The name of the sequence that randomises the same points, with the same arguments, for independent replicates. It is

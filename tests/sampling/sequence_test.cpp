@@ -44,6 +44,8 @@ TEST_CASE("every sequence gives the same items in blocks and one by one, all bel
     for (const std::string& name : all_names())
         for (const Pairing pairing : {Pairing::four_dimensional, Pairing::two_dimensional})
             for (const std::uint64_t first : {0ull, 1ull, 1000ull, (1ull << 40) - 3}) {
+                if (pairing == Pairing::two_dimensional && name.find(',') != std::string::npos)
+                    continue; // four bases
                 if (first + 100 > make_line_sequence(name, 42, pairing)->item_limit())
                     continue;
                 const auto sequence = make_line_sequence(name, 42, pairing);
@@ -69,7 +71,7 @@ TEST_CASE("a name makes the same sequence again")
 
 TEST_CASE("two successive 2-D items make one paired item")
 {
-    const auto pairs = make_line_sequence("halton:2,3,5,7", 0, Pairing::two_dimensional);
+    const auto pairs = make_line_sequence("halton:2,3", 0, Pairing::two_dimensional);
     CHECK(pairs->item(3) ==
           Item{radical_inverse(2, 6), radical_inverse(3, 6), radical_inverse(2, 7), radical_inverse(3, 7)});
 }
