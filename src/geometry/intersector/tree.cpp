@@ -1,6 +1,5 @@
-// Bounding volume hierarchy with 16 children per node, built in two steps. First a binary tree is split top-down by the
-// surface area heuristic (Goldsmith and Salmon 1987) over 16 bins along each axis (Wald 2007). Then its nodes are
-// collapsed into wide nodes (Wald, Benthin, Boulos 2008).
+// Bounding volume hierarchy with 16 children per node (Wald, Benthin, Boulos 2008), built top-down. Parts are split in
+// two by the surface area heuristic (Goldsmith and Salmon 1987) over 16 bins along each axis (Wald 2007).
 
 #include "geometry/intersector/tree.h"
 
@@ -12,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace multipath {
@@ -55,37 +55,6 @@ struct SplitPrimitive
 
 constexpr int bins = 16;
 
-/// Assigns primitives to bins along each axis by twice their centres.
-struct Binning
-{
-    float low[4];
-    float scale[4]; ///< bins per length; 0 along an axis where all centres are equal
-
-    Binning(const LargeVector<SplitPrimitive>& primitives, std::uint32_t first, std::uint32_t last)
-    {
-        SplitBox centres = SplitBox::nothing();
-        for (std::uint32_t t = first; t < last; ++t) {
-            const SplitBox& box = primitives[t].box;
-            SplitBox centre;
-            for (int i = 0; i < 4; ++i)
-                centre.low[i] = centre.high[i] = box.low[i] + box.high[i];
-            centres.include(centre);
-        }
-        for (int i = 0; i < 4; ++i) {
-            low[i] = centres.low[i];
-            const float width = centres.high[i] - centres.low[i];
-            const float exact = static_cast<float>(bins) / width;
-            scale[i] = width > 0.0f && exact < std::numeric_limits<float>::max() ? exact : 0.0f;
-        }
-    }
-
-    int bin(const SplitBox& box, int axis) const
-    {
-        const float position = (box.low[axis] + box.high[axis] - low[axis]) * scale[axis];
-        return std::min(static_cast<int>(position), bins - 1);
-    }
-};
-
 /// Box and number of the primitives in one bin or several.
 struct Bin
 {
@@ -105,61 +74,60 @@ struct Bin
     }
 };
 
-/// Best split along one axis: the last bin of the left part (-1 if there is no split) and the cost.
-struct Cut
-{
-    int last_left = -1;
-    float cost = std::numeric_limits<float>::max();
-};
-
-Cut cheapest_cut(const Bin (&along)[bins], std::uint32_t count)
-{
-    float left_cost[bins];
-    Bin left;
-    for (int b = 0; b < bins; ++b) {
-        left.include(along[b]);
-        left_cost[b] = left.cost();
-    }
-    Cut best;
-    Bin right;
-    for (int b = bins - 1; b > 0; --b) {
-        right.include(along[b]);
-        const float cost = left_cost[b - 1] + right.cost();
-        if (right.count > 0 && right.count < count && cost < best.cost)
-            best = {b - 1, cost};
-    }
-    return best;
-}
-
-/// Partitions the primitives first ... last - 1 at the cheapest split of all axes, or into halves if no split separates
-/// them. Returns the beginning of the second part; neither part is empty.
+/// Partitions the primitives first ... last - 1 at the cheapest border of bins along any axis, or into halves if no
+/// border separates them. Returns the beginning of the second part; neither part is empty.
 std::uint32_t split_by_area(LargeVector<SplitPrimitive>& primitives, std::uint32_t first, std::uint32_t last)
 {
-    const Binning binning(primitives, first, last);
+    SplitBox centres = SplitBox::nothing(); // all coordinates of centres are doubled
+    for (std::uint32_t t = first; t < last; ++t) {
+        const SplitBox& box = primitives[t].box;
+        SplitBox centre;
+        for (int i = 0; i < 4; ++i)
+            centre.low[i] = centre.high[i] = box.low[i] + box.high[i];
+        centres.include(centre);
+    }
+    float scale[3]; // bins per length; 0 along an axis where all centres are equal
+    for (int axis = 0; axis < 3; ++axis) {
+        const float exact = static_cast<float>(bins) / (centres.high[axis] - centres.low[axis]);
+        scale[axis] = exact < std::numeric_limits<float>::max() ? exact : 0.0f;
+    }
+    const auto bin_of = [&](const SplitBox& box, int axis) {
+        const float position = (box.low[axis] + box.high[axis] - centres.low[axis]) * scale[axis];
+        return std::min(static_cast<int>(position), bins - 1);
+    };
     Bin along[3][bins];
     for (std::uint32_t t = first; t < last; ++t)
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = along[axis][binning.bin(primitives[t].box, axis)];
+            Bin& bin = along[axis][bin_of(primitives[t].box, axis)];
             bin.box.include(primitives[t].box);
             ++bin.count;
         }
-    Cut best;
     int best_axis = 0;
+    int second_part = 0; // its first bin
+    float best_cost = std::numeric_limits<float>::max();
     for (int axis = 0; axis < 3; ++axis) {
-        const Cut cut = cheapest_cut(along[axis], last - first);
-        if (cut.cost < best.cost) {
-            best = cut;
-            best_axis = axis;
+        float left_cost[bins];
+        Bin left;
+        for (int b = 0; b < bins; ++b) {
+            left.include(along[axis][b]);
+            left_cost[b] = left.cost();
+        }
+        Bin right;
+        for (int b = bins - 1; b > 0; --b) {
+            right.include(along[axis][b]);
+            const float cost = left_cost[b - 1] + right.cost();
+            if (right.count > 0 && right.count < last - first && cost < best_cost) {
+                best_axis = axis;
+                second_part = b;
+                best_cost = cost;
+            }
         }
     }
-    const std::uint32_t halves = first + (last - first) / 2;
-    if (best.last_left < 0)
-        return halves;
     const auto begin = primitives.begin();
     const auto middle = std::partition(begin + first, begin + last, [&](const SplitPrimitive& primitive) {
-        return binning.bin(primitive.box, best_axis) <= best.last_left;
+        return bin_of(primitive.box, best_axis) < second_part;
     });
-    return static_cast<std::uint32_t>(middle - begin);
+    return second_part > 0 ? static_cast<std::uint32_t>(middle - begin) : first + (last - first) / 2;
 }
 
 /// The largest float that is not above x.
@@ -190,119 +158,85 @@ WideNode empty_node()
     return node;
 }
 
-/// Node of the binary tree.
-struct BinaryNode
+/// A part of the primitives, which becomes a node or a leaf.
+struct Part
 {
     SplitBox box;
     std::uint32_t first; ///< its primitives are first ... last - 1 in the list
     std::uint32_t last;
-    std::uint32_t right; ///< index of the second child, 0 without children; the first child follows the node
+    int level; ///< number of splits that made it
 
-    std::uint32_t size() const { return last - first; }
-    bool is_split() const { return right != 0; }
+    bool is_leaf() const { return last - first <= WideNode::lanes; }
 };
 
-constexpr std::uint32_t not_split = WideNode::lanes; ///< nodes of so few primitives become leaves
-constexpr int levels_by_area = 38;                   ///< then halves: at most 64 levels of fewer than 2^26 primitives
+constexpr int levels_by_area = 38; ///< then halves: at most 64 levels of fewer than 2^26 primitives
 
-/// The nodes of the binary tree that become the children of the wide node made of node n: the largest of them, by
-/// surface area, is replaced by its two children while lanes are left.
-std::vector<std::uint32_t> wide_children(const std::vector<BinaryNode>& nodes, std::uint32_t n)
+/// Builds the hierarchy from the primitives, which it reorders.
+struct Builder
 {
-    std::vector<std::uint32_t> children = {n};
-    while (children.size() < WideNode::lanes) {
-        const auto split_area = [&](std::uint32_t c) { return nodes[c].is_split() ? nodes[c].box.area() : -1.0f; };
-        const auto largest = std::max_element(children.begin(), children.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return split_area(a) < split_area(b);
-        });
-        if (!nodes[*largest].is_split())
-            break;
-        const std::uint32_t split = *largest;
-        *largest = split + 1;
-        children.push_back(nodes[split].right);
-    }
-    return children;
-}
+    LargeVector<SplitPrimitive> primitives;
+    LargeVector<WideNode> nodes;
+    LargeVector<std::uint32_t> lanes; ///< WideTree::primitives
+    unsigned most_pending = 0;
 
-/// Builds the binary tree and from it the wide tree.
-class Builder
-{
-public:
-    Builder(LargeVector<SplitPrimitive>& primitives, LargeVector<WideNode>& nodes, LargeVector<std::uint32_t>& lanes)
-        : primitives_(primitives), nodes_(nodes), lanes_(lanes)
-    {
-    }
-
-    /// Returns the largest number of children on the stack of a depth-first search.
-    unsigned build()
-    {
-        add_binary(0, static_cast<std::uint32_t>(primitives_.size()), 0);
-        unsigned most_pending = 0;
-        add_node(0, 0, most_pending);
-        return most_pending;
-    }
-
-private:
-    SplitBox box_of(std::uint32_t first, std::uint32_t last) const
+    Part part(std::uint32_t first, std::uint32_t last, int level) const
     {
         SplitBox box = SplitBox::nothing();
         for (std::uint32_t i = first; i < last; ++i)
-            box.include(primitives_[i].box);
-        return box;
+            box.include(primitives[i].box);
+        return {box, first, last, level};
     }
 
-    /// Adds the binary subtree over these primitives; returns its index.
-    std::uint32_t add_binary(std::uint32_t first, std::uint32_t last, int level)
+    /// The children of a node: the largest part, by surface area, is split in two while lanes are left.
+    std::vector<Part> children_of(const Part& node)
     {
-        const auto number = static_cast<std::uint32_t>(binary_.size());
-        binary_.push_back({box_of(first, last), first, last, 0});
-        if (last - first <= not_split)
-            return number;
-        const std::uint32_t middle =
-            level < levels_by_area ? split_by_area(primitives_, first, last) : first + (last - first) / 2;
-        add_binary(first, middle, level + 1);
-        const std::uint32_t right = add_binary(middle, last, level + 1);
-        binary_[number].right = right;
-        return number;
+        const auto split_area = [](const Part& part) { return part.is_leaf() ? -1.0f : part.box.area(); };
+        std::vector<Part> parts = {node};
+        while (parts.size() < WideNode::lanes) {
+            const auto largest = std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
+                return split_area(a) < split_area(b);
+            });
+            if (largest->is_leaf())
+                break;
+            const auto [box, first, last, level] = *largest;
+            const std::uint32_t middle =
+                level < levels_by_area ? split_by_area(primitives, first, last) : first + (last - first) / 2;
+            *largest = part(first, middle, level + 1);
+            parts.push_back(part(middle, last, level + 1));
+        }
+        return parts;
     }
 
-    /// Adds the wide node made of a binary node, and its subtree; returns its index. `pending`: number of children that
-    /// are on the stack of a search when it reaches the node.
-    std::uint32_t add_node(std::uint32_t of, unsigned pending, unsigned& most_pending)
+    /// Adds a node and its subtree; returns its index. `pending`: number of children that are on the stack of a search
+    /// when it reaches the node.
+    std::uint32_t add_node(const Part& node, unsigned pending)
     {
-        const auto number = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.push_back(empty_node());
-        const std::vector<std::uint32_t> children = wide_children(binary_, of);
+        const auto number = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back(empty_node());
+        const std::vector<Part> children = children_of(node);
         const unsigned with_children = pending + static_cast<unsigned>(children.size());
         most_pending = std::max(most_pending, with_children);
         for (std::size_t i = 0; i < children.size(); ++i) {
-            const BinaryNode child = binary_[children[i]];
-            const std::uint32_t child_number =
-                child.is_split() ? add_node(children[i], with_children - 1, most_pending) : add_leaf(child);
-            WideNode& node = nodes_[number];
-            node.child[i] = child_number;
+            const Part& child = children[i];
+            const std::uint32_t child_number = child.is_leaf() ? add_leaf(child) : add_node(child, with_children - 1);
+            nodes[number].child[i] = child_number;
             for (unsigned axis = 0; axis < 3; ++axis) {
-                node.plane[WideNode::low(axis) + i] = child.box.low[axis];
-                node.plane[WideNode::high(axis) + i] = child.box.high[axis];
+                nodes[number].plane[WideNode::low(axis) + i] = child.box.low[axis];
+                nodes[number].plane[WideNode::high(axis) + i] = child.box.high[axis];
             }
         }
         return number;
     }
 
     /// Adds a leaf; returns it as an entry of WideNode::child.
-    std::uint32_t add_leaf(const BinaryNode& leaf)
+    std::uint32_t add_leaf(const Part& leaf)
     {
-        const auto number = static_cast<std::uint32_t>(lanes_.size() / WideNode::lanes);
+        const auto number = static_cast<std::uint32_t>(lanes.size() / WideNode::lanes);
         for (std::uint32_t i = leaf.first; i < leaf.last; ++i)
-            lanes_.push_back(primitives_[i].number);
-        lanes_.resize((number + 1) * std::size_t{WideNode::lanes}, WideTree::nothing);
+            lanes.push_back(primitives[i].number);
+        lanes.resize((number + 1) * std::size_t{WideNode::lanes}, WideTree::nothing);
         return WideNode::leaf_flag + number;
     }
-
-    LargeVector<SplitPrimitive>& primitives_;
-    LargeVector<WideNode>& nodes_;
-    LargeVector<std::uint32_t>& lanes_;
-    std::vector<BinaryNode> binary_;
 };
 
 } // namespace
@@ -310,12 +244,15 @@ private:
 WideTree::WideTree(const LargeVector<Bounds>& boxes, const std::vector<std::uint32_t>& numbers,
                    const FilterFrame& frame)
 {
-    LargeVector<SplitPrimitive> split;
-    split.reserve(numbers.size());
+    Builder builder;
+    builder.primitives.reserve(numbers.size());
     for (const std::uint32_t number : numbers)
-        split.push_back({in_frame(boxes[number], frame), number});
-    if (!split.empty())
-        most_pending_ = Builder(split, nodes_, primitives_).build();
+        builder.primitives.push_back({in_frame(boxes[number], frame), number});
+    if (!numbers.empty())
+        builder.add_node(builder.part(0, static_cast<std::uint32_t>(numbers.size()), 0), 0);
+    nodes_ = std::move(builder.nodes);
+    primitives_ = std::move(builder.lanes);
+    most_pending_ = builder.most_pending;
 }
 
 } // namespace multipath

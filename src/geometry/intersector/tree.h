@@ -6,6 +6,7 @@
 #include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/surface_block.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,11 +42,6 @@ public:
     void for_each_near(const Bounds& box_in_frame, const Visit& visit) const;
 
 private:
-    /// Visits the primitives below a child (see WideNode::child) that may overlap the box. False if visit returned
-    /// false.
-    template <class Visit>
-    bool visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const;
-
     LargeVector<WideNode> nodes_;
     LargeVector<std::uint32_t> primitives_;
     unsigned most_pending_ = 0;
@@ -54,32 +50,32 @@ private:
 template <class Visit>
 void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
 {
-    const auto single = [](double x) { return static_cast<float>(x); };
-    if (!empty())
-        visit_child(0, {single(box.low.x), single(box.low.y), single(box.low.z)},
-                    {single(box.high.x), single(box.high.y), single(box.high.z)}, visit);
-}
-
-template <class Visit>
-bool WideTree::visit_child(std::uint32_t child, const float (&low)[3], const float (&high)[3], const Visit& visit) const
-{
-    if ((child & WideNode::leaf_flag) != 0) {
-        const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::leaf_flag);
-        for (std::size_t i = first; i < first + WideNode::lanes && primitives_[i] != nothing; ++i)
-            if (!visit(primitives_[i]))
-                return false;
-        return true;
+    const auto single = [](Vec3 p) {
+        return std::array<float, 3>{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    };
+    const std::array<float, 3> low = single(box.low);
+    const std::array<float, 3> high = single(box.high);
+    std::vector<std::uint32_t> pending(empty() ? 0 : 1, 0); // the root, then children as in WideNode::child
+    while (!pending.empty()) {
+        const std::uint32_t child = pending.back();
+        pending.pop_back();
+        if ((child & WideNode::leaf_flag) != 0) {
+            const std::size_t first = std::size_t{WideNode::lanes} * (child - WideNode::leaf_flag);
+            for (std::size_t i = first; i < first + WideNode::lanes && primitives_[i] != nothing; ++i)
+                if (!visit(primitives_[i]))
+                    return;
+            continue;
+        }
+        const WideNode& node = nodes_[child];
+        for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
+            bool meets = true;
+            for (unsigned axis = 0; axis < 3; ++axis)
+                meets = every(meets, node.plane[WideNode::low(axis) + lane] <= high[axis],
+                              low[axis] <= node.plane[WideNode::high(axis) + lane]);
+            if (meets)
+                pending.push_back(node.child[lane]);
+        }
     }
-    const WideNode& node = nodes_[child];
-    for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
-        bool meets = true;
-        for (unsigned axis = 0; axis < 3; ++axis)
-            meets = every(meets, node.plane[WideNode::low(axis) + lane] <= high[axis],
-                          low[axis] <= node.plane[WideNode::high(axis) + lane]);
-        if (meets && !visit_child(node.child[lane], low, high, visit))
-            return false;
-    }
-    return true;
 }
 
 } // namespace multipath
