@@ -1,7 +1,8 @@
 // Finds common planes of coplanar surfaces. Planes are looked up in a hash table of cells in the space of normals and
 // offsets. A plane is stored in its own cell only. A look-up also visits the neighbouring cells that the plane almost
 // touches, so that almost equal planes are found. Surfaces are processed from large to small: a small face in the plane
-// of a large one does not define the plane well. The loop prefetches the cells of the surfaces ahead.
+// of a large one does not define the plane well. The cells of some surfaces are
+// prefetched before their planes are looked up.
 
 #include "geometry/intersector/shared_planes.h"
 
@@ -30,43 +31,7 @@ Plane unoriented(const Plane& plane)
     return side < 0.0 ? Plane{-plane.normal, -plane.offset} : plane;
 }
 
-/// Maps a cell to its list of planes: a hash table with open addressing and linear probing.
-class CellTable
-{
-public:
-    explicit CellTable(std::size_t most_cells)
-    {
-        std::size_t size = 16;
-        while (size < 2 * most_cells)
-            size *= 2;
-        slots_.resize(size);
-    }
-
-    void prefetch(std::uint64_t key) const { multipath::prefetch(&slots_[home_slot(key)]); }
-    /// The first plane of the cell, or `no_plane`.
-    std::uint32_t head(std::uint64_t key) const { return slots_[find(key)].head; }
-    void set_head(std::uint64_t key, std::uint32_t head) { slots_[find(key)] = {key, head}; }
-
-private:
-    struct Slot
-    {
-        std::uint64_t key = 0;
-        std::uint32_t head = no_plane;
-    };
-
-    std::size_t home_slot(std::uint64_t key) const { return key & (slots_.size() - 1); }
-    std::size_t find(std::uint64_t key) const
-    {
-        std::size_t slot = home_slot(key);
-        while (slots_[slot].head != no_plane && slots_[slot].key != key)
-            slot = (slot + 1) & (slots_.size() - 1);
-        return slot;
-    }
-
-    LargeVector<Slot> slots_;
-};
-
-/// All different planes found so far, with a look-up by cell.
+/// All different planes found so far, with a look-up by cell: a hash table with lists.
 class PlaneIndex
 {
 public:
@@ -77,11 +42,13 @@ public:
         std::size_t count;
     };
 
-    PlaneIndex(Vec3 centre, double diagonal, std::size_t most_planes)
-        : centre_(centre), diagonal_(diagonal), cells_(most_planes)
+    PlaneIndex(Vec3 centre, double diagonal, std::size_t most_planes) : centre_(centre), diagonal_(diagonal)
     {
+        std::size_t size = 16;
+        while (size < 2 * most_planes)
+            size *= 2;
+        last_.resize(size, no_plane);
         planes_.reserve(most_planes);
-        next_.reserve(most_planes);
     }
 
     /// The cells in which a plane must be looked up; prefetches them.
@@ -89,7 +56,7 @@ public:
     {
         const Keys keys = keys_of(coordinates(plane));
         for (std::size_t i = 0; i < keys.count; ++i)
-            cells_.prefetch(keys.key[i]);
+            prefetch(&last_[slot_of(keys.key[i])]);
         return keys;
     }
 
@@ -97,20 +64,27 @@ public:
     std::uint32_t find_or_add(const Surface& surface, const Plane& plane, const Keys& keys)
     {
         for (std::size_t i = 0; i < keys.count; ++i)
-            for (std::uint32_t p = cells_.head(keys.key[i]); p != no_plane; p = next_[p])
-                if (holds(planes_[p], surface))
+            for (std::uint32_t p = last_[slot_of(keys.key[i])]; p != no_plane; p = planes_[p].before)
+                if (planes_[p].cell == keys.key[i] && holds(planes_[p].plane, surface))
                     return p;
-        const auto number = static_cast<std::uint32_t>(planes_.size());
-        planes_.push_back(plane);
-        next_.push_back(cells_.head(keys.key[0]));
-        cells_.set_head(keys.key[0], number);
-        return number;
+        std::uint32_t& last = last_[slot_of(keys.key[0])];
+        planes_.push_back({plane, keys.key[0], last});
+        last = static_cast<std::uint32_t>(planes_.size() - 1);
+        return last;
     }
 
-    const Plane& plane(std::uint32_t number) const { return planes_[number]; }
-    std::size_t size() const { return planes_.size(); }
+    const Plane& plane(std::uint32_t number) const { return planes_[number].plane; }
 
 private:
+    struct KnownPlane
+    {
+        Plane plane;
+        std::uint64_t cell;   ///< its key
+        std::uint32_t before; ///< the previous plane in the same slot of the hash table
+    };
+
+    std::size_t slot_of(std::uint64_t key) const { return key & (last_.size() - 1); }
+
     /// Normal and offset in units of cells. The offset is relative to the scene's centre, so that it stays small.
     std::array<double, 4> coordinates(const Plane& plane) const
     {
@@ -160,9 +134,8 @@ private:
 
     Vec3 centre_;
     double diagonal_;
-    LargeVector<Plane> planes_;
-    LargeVector<std::uint32_t> next_; ///< next plane in the list of the same cell
-    CellTable cells_;
+    LargeVector<KnownPlane> planes_;
+    LargeVector<std::uint32_t> last_; ///< per slot of the hash table: the last plane found with such a key
 };
 
 } // namespace
@@ -184,26 +157,23 @@ SharedPlanes share_planes(const SurfaceList& surfaces, const std::vector<std::ui
         result.plane_of_surface.push_back({normal, dot(normal, surface.centre())});
     }
     result.plane_number.resize(surfaces.size());
-    constexpr std::size_t ahead = 16; // surfaces whose cells are being prefetched
-    std::array<PlaneIndex::Keys, ahead> keys;
-    for (std::size_t k = 0; k < order.size() + ahead; ++k) {
-        if (k + ahead < order.size())
-            prefetch(&result.plane_of_surface[order[k + ahead]]);
-        PlaneIndex::Keys& slot = keys[k % ahead];
-        const PlaneIndex::Keys due = slot;
-        if (k < order.size()) {
-            slot = index.keys(unoriented(result.plane_of_surface[order[k]]));
+    constexpr std::size_t at_a_time = 32;
+    std::array<PlaneIndex::Keys, at_a_time> keys;
+    for (std::size_t first = 0; first < order.size(); first += at_a_time) {
+        const std::size_t end = std::min(first + at_a_time, order.size());
+        for (std::size_t k = first; k < end; ++k) {
             prefetch(&surfaces[order[k]]);
+            keys[k - first] = index.keys(unoriented(result.plane_of_surface[order[k]]));
         }
-        if (k < ahead)
-            continue;
-        const std::uint32_t s = order[k - ahead];
-        const Plane& own = result.plane_of_surface[s];
-        const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own), due);
-        if (number == orientations.size())
-            orientations.push_back(0);
-        orientations[number] |= dot(index.plane(number).normal, own.normal) > 0.0 ? along : against;
-        result.plane_number[s] = number;
+        for (std::size_t k = first; k < end; ++k) {
+            const std::uint32_t s = order[k];
+            const Plane& own = result.plane_of_surface[s];
+            const std::uint32_t number = index.find_or_add(surfaces[s], unoriented(own), keys[k - first]);
+            if (number == orientations.size())
+                orientations.push_back(0);
+            orientations[number] |= dot(index.plane(number).normal, own.normal) > 0.0 ? along : against;
+            result.plane_number[s] = number;
+        }
     }
     for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
         if (orientations[result.plane_number[s]] != (along | against))
