@@ -93,27 +93,15 @@ void Intersector::Core::find_candidates(std::size_t count, CandidateBuffers& wor
 bool Intersector::Core::filters_all(std::size_t lines) const
 {
     constexpr std::size_t per_line = 32; // surfaces that are tested while one line is searched
-    return is_few_ && (per_line * lines >= flat_surface_.size() || tree_.empty());
-}
-
-FlatSurfaces Intersector::Core::flat_surfaces() const
-{
-    return {flat_blocks_.data(),
-            flat_plane_.data(),
-            static_cast<unsigned>(framed_.others.size()),
-            static_cast<unsigned>(flat_surface_.size()),
-            framed_.frames.data(),
-            static_cast<unsigned>(framed_.frames.size()),
-            framed_.rectangles.data()};
+    return is_few_ && (per_line * lines >= flat_.count || tree_.empty());
 }
 
 /// Finds the candidates of the passing lines among all surfaces, line by line.
 void Intersector::Core::filter_few(std::size_t count, CandidateBuffers& work) const
 {
-    const FlatSurfaces surfaces = flat_surfaces();
-    const unsigned words = (surfaces.count + 31) / 32;
-    kernel_->filter_flat(surfaces, work.batch, count, work.marks);
-    work.found.resize(work.passing.size() * surfaces.count);
+    const unsigned words = (flat_.count + 31) / 32;
+    kernel_->filter_flat(flat_, work.batch, count, work.marks);
+    work.found.resize(work.passing.size() * flat_.count);
     LineCandidate* next = work.found.data();
     for (const std::uint32_t line : work.passing)
         for (unsigned word = 0; word < words; ++word)
@@ -188,7 +176,7 @@ void Intersector::Core::find_first_by_bounds(const RayQuery& query, std::size_t 
     for (std::size_t i = 0; i < count; ++i)
         own_plane[i] = static_cast<float>(plane_of(query.from[first + i]));
     NearestCandidates candidates;
-    kernel_->nearest_flat(flat_surfaces(), work.batch, count, own_plane.data(), candidates);
+    kernel_->nearest_flat(flat_, work.batch, count, own_plane.data(), candidates);
     std::array<std::uint32_t, LineBatch::most> surface;
     for (std::size_t i = 0; i < count; ++i)
         surface[i] = flat_surface_[static_cast<std::size_t>(candidates.number[i])];
@@ -250,8 +238,7 @@ void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t fi
         for (const std::uint32_t surface : unfiltered_)
             take_surface(rays[i], own_plane, surface, work.nearest[i]);
         if (work.batch.passes(i))
-            work.searched.push_back(
-                {i, own_plane == no_plane ? SearchedRay::no_plane : static_cast<double>(own_plane)});
+            work.searched.push_back({i, static_cast<double>(own_plane)});
     }
     const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
     const std::size_t together = std::min<std::size_t>(work.searched.size(), FirstHitSearch::at_once);
@@ -292,16 +279,11 @@ void Intersector::Core::for_each_whole_line(const std::vector<Line>& rays, const
     lines.clear();
     for (const Line& ray : rays)
         lines.push_back({ray.at(-reach_of(ray)), ray.direction});
-    // In parts of limited memory, because each line may meet thousands of surfaces.
-    constexpr std::size_t most_hits = 1u << 15;
-    std::size_t part = 16;
-    for (std::size_t first = 0; first < lines.size();) {
-        const std::size_t count = std::min(part, lines.size() - first);
+    for (std::size_t first = 0; first < lines.size(); first += LineBatch::most) {
+        const std::size_t count = std::min(LineBatch::most, lines.size() - first);
         all_hits(lines.data() + first, count, along);
         for (std::size_t k = 0; k < count; ++k)
             visit(first + k, along[k]);
-        part = std::clamp<std::size_t>(most_hits * count / (along.hit_count() + 1), 1, LineBatch::most);
-        first += count;
     }
 }
 

@@ -44,15 +44,16 @@ Intersector::Core::Core(const SurfaceList& surfaces, const FilterKernel& kernel,
     // Planes and hierarchy take about the same time and are built in parallel.
     parallel_blocks(2, threads, [&](std::uint64_t part) {
         if (part == 0) {
-            const std::vector<std::uint32_t> order = order_by_descending_area(surfaces);
-            planes = share_planes(surfaces, order);
-            size_rank_ = size_ranks(order);
+            planes = share_planes(surfaces, order_by_descending_area(surfaces));
         } else if (surfaces.size() > FlatSurfaces::most) {
             tree_ = tree_over_all(boxes, frame_);
         }
     });
     neighbours_ = PlaneNeighbours(surfaces, boxes, planes.plane_number, tree_, frame_, threads);
     table_ = SurfaceTable(surfaces, planes, threads);
+    area_.reserve(surfaces.size());
+    for (const Surface& surface : surfaces)
+        area_.push_back(surface.area());
     plane_ = std::move(planes.plane_number);
 
     const std::vector<std::uint32_t> filtered = sort_out_unfiltered(surfaces, threads);
@@ -93,6 +94,13 @@ void Intersector::Core::store_flat(FramedRectangles framed)
     flat_surface_.insert(flat_surface_.end(), framed_.surfaces.begin(), framed_.surfaces.end());
     for (const std::uint32_t surface : flat_surface_)
         flat_plane_.push_back(static_cast<float>(plane_[surface]));
+    flat_ = {flat_blocks_.data(),
+             flat_plane_.data(),
+             static_cast<unsigned>(others.size()),
+             static_cast<unsigned>(flat_surface_.size()),
+             framed_.frames.data(),
+             static_cast<unsigned>(framed_.frames.size()),
+             framed_.rectangles.data()};
 }
 
 void Intersector::Core::store_leaves(int threads)

@@ -37,10 +37,13 @@ public:
 
     /// True if the surface has a list. Without a tree every surface has one; with a tree, a surface near too many
     /// others has none.
-    bool is_listed(std::uint32_t surface) const { return first_[surface] != unlisted; }
+    bool is_listed(std::uint32_t surface) const
+    {
+        return lists_[surface].empty() || lists_[surface].front().surface != unlisted;
+    }
 
     /// False if the surface certainly has no neighbour: its list exists and is empty. True for an unlisted surface.
-    bool may_have_some(std::uint32_t surface) const { return first_[surface] != empty_list; }
+    bool may_have_some(std::uint32_t surface) const { return !lists_[surface].empty(); }
 
     /// Calls visit(other) for those neighbours of a listed surface whose boxes contain the point, in ascending order.
     template <class Visit>
@@ -49,25 +52,22 @@ public:
         const auto x = static_cast<float>(point_in_frame.x);
         const auto y = static_cast<float>(point_in_frame.y);
         const auto z = static_cast<float>(point_in_frame.z);
-        for (const Neighbour* other = &neighbours_[first_[surface]]; other->surface != end_of_list; ++other)
-            if (every(other->low[0] <= x, x <= other->high[0], other->low[1] <= y, y <= other->high[1],
-                      other->low[2] <= z, z <= other->high[2]))
-                visit(other->surface);
+        for (const Neighbour& other : lists_[surface])
+            if (every(other.low[0] <= x, x <= other.high[0], other.low[1] <= y, y <= other.high[1], other.low[2] <= z,
+                      z <= other.high[2]))
+                visit(other.surface);
     }
 
 private:
     static constexpr std::uint32_t unlisted = 0xffffffffu;
-    static constexpr std::uint32_t empty_list = 0;
-    static constexpr std::uint32_t end_of_list = 0xffffffffu;
 
     struct Neighbour
     {
-        std::uint32_t surface; ///< end_of_list after the last neighbour of each list
+        std::uint32_t surface;
         float low[3], high[3]; ///< box of the surface, in the frame
     };
 
-    std::vector<std::uint32_t> first_;                            ///< per surface: offset of its list, or unlisted
-    std::vector<Neighbour> neighbours_ = {{end_of_list, {}, {}}}; ///< all lists; the list at 0 is empty
+    std::vector<std::vector<Neighbour>> lists_; ///< per surface; if it has none: a single neighbour `unlisted`
 };
 
 /// Buffers of Core::all_hits for one batch of lines: the data that one phase hands to the next.
@@ -129,7 +129,6 @@ struct Intersector::Core
     void filter_few(std::size_t count, CandidateBuffers& work) const;
     void search_tree(CandidateBuffers& work) const;
     bool filters_all(std::size_t lines) const;
-    FlatSurfaces flat_surfaces() const;
     TreeView tree_view() const { return {tree_.nodes(), leaves_.data(), leaves_.size() > largest_in_cache}; }
     /// Trees with more leaves (32 MB) exceed the caches.
     static constexpr std::size_t largest_in_cache = (std::size_t{32} << 20) / sizeof(SurfaceBlock);
@@ -152,7 +151,11 @@ struct Intersector::Core
     /// Order of hits along a line before order_coincident_hits: by t, then from small to large surfaces.
     bool comes_before(const Hit& a, const Hit& b) const
     {
-        return a.t < b.t || (a.t == b.t && size_rank_[a.surface] < size_rank_[b.surface]);
+        return a.t < b.t || (a.t == b.t && is_over(a.surface, b.surface));
+    }
+    bool is_over(std::uint32_t a, std::uint32_t b) const
+    {
+        return area_[a] < area_[b] || (area_[a] == area_[b] && a > b);
     }
     void put_in_order(Hit* hits, std::size_t count) const;
 
@@ -172,10 +175,11 @@ struct Intersector::Core
     UnsetVector<SurfaceBlock> flat_blocks_;
     std::vector<std::uint32_t> flat_surface_; ///< index of each surface of FlatSurfaces
     std::vector<float> flat_plane_;           ///< FlatSurfaces::plane
+    FlatSurfaces flat_{};                     ///< view of the four members before
     std::vector<std::uint32_t> unfiltered_;   ///< surfaces that cannot be filtered: candidates of every line
     bool outside_is_solid_;                   ///< true if is_interior(surfaces)
     std::vector<std::uint32_t> plane_;        ///< plane number of each surface (see SharedPlanes)
-    std::vector<std::uint32_t> size_rank_;    ///< rank of each surface by area, 0 for the smallest, which lies on top
+    std::vector<double> area_;                ///< of each surface; the smallest of several in one place lies on top
     PlaneNeighbours neighbours_;
 };
 

@@ -174,7 +174,7 @@ std::optional<Hit> Intersector::hit_on(const Line& line, std::uint32_t surface) 
 
 bool Intersector::is_over(std::uint32_t a, std::uint32_t b) const
 {
-    return core_->size_rank_[a] < core_->size_rank_[b];
+    return core_->is_over(a, b);
 }
 
 } // namespace multipath

@@ -89,9 +89,7 @@ struct NearestHit
 struct SearchedRay
 {
     std::uint32_t number;  ///< index of the ray in the batch
-    double excluded_plane; ///< SurfaceRow::plane of surfaces to ignore, or no_plane
-
-    static constexpr double no_plane = -1.0;
+    double excluded_plane; ///< SurfaceRow::plane of surfaces to ignore
 };
 
 /// Search for the first hits of some rays.

@@ -1,7 +1,6 @@
-// Lists, for each surface, the coplanar surfaces that overlap it. A thread makes the lists for a block of 1024 surfaces
-// at a time; all lists are concatenated at the end. The candidates of a list are all surfaces in the plane, if there
-// are few, else those that the hierarchy has near the surface. Limits keep time and memory linear: a surface that
-// exceeds a limit stays unlisted, and queries about this surface search the hierarchy.
+// Lists, for each surface, the coplanar surfaces that overlap it. The candidates of a list are all surfaces in the
+// plane, if there are few, else those that the hierarchy has near the surface. Limits keep time and memory linear: a
+// surface that exceeds a limit stays unlisted, and queries about this surface search the hierarchy.
 
 #include "geometry/intersector/core.h"
 
@@ -11,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <utility>
 
 namespace multipath {
 
@@ -19,9 +18,8 @@ namespace {
 
 constexpr std::uint32_t few_in_plane = 32;         ///< up to this number, all pairs in a plane are compared
 constexpr std::size_t most_looked_at = 4096;       ///< limit of candidates for one surface
+constexpr std::size_t most_listed = 256;           ///< limit of neighbours
 constexpr std::uint32_t surfaces_at_a_time = 1024; ///< block of surfaces that one thread does at a time
-constexpr std::size_t many_listed = 131072;        ///< once a block has so many entries ...
-constexpr std::size_t long_list = 256;             ///< ... no longer lists are added to it, so that memory stays linear
 
 /// True if an edge of `a`, which has this normal, has all of `b` on its outer side, up to `slack`.
 bool is_separated_from(const FlatPolygon& a, Vec3 normal, const FlatPolygon& b, double slack)
@@ -48,46 +46,35 @@ bool overlap_in_plane(const Surface& a, const Surface& b, double diagonal)
            !is_separated_from(second, cross(b.edge_u, b.edge_v), first, slack);
 }
 
-/// The surfaces sorted by plane.
-struct Planes
-{
-    std::vector<std::uint32_t> surfaces;
-    std::vector<std::uint32_t> begin; ///< offset of each plane in `surfaces`, and the end of the last one
-
-    explicit Planes(const std::vector<std::uint32_t>& plane_number)
-        : surfaces(plane_number.size()),
-          begin(plane_number.empty() ? 2 : 2 + *std::max_element(plane_number.begin(), plane_number.end()))
-    {
-        for (const std::uint32_t plane : plane_number)
-            ++begin[plane + 1];
-        std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        std::vector<std::uint32_t> next = begin;
-        for (std::uint32_t s = 0; s < plane_number.size(); ++s)
-            surfaces[next[plane_number[s]]++] = s;
-    }
-};
-
 } // namespace
 
 PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<Bounds>& boxes,
                                  const std::vector<std::uint32_t>& plane_number, const WideTree& tree,
                                  const FilterFrame& frame, int threads)
-    : first_(surfaces.size(), empty_list)
+    : lists_(surfaces.size())
 {
-    const Planes planes(plane_number);
-    const auto find = [&](std::uint32_t s, std::size_t most_listed, std::vector<std::uint32_t>& found) {
+    std::vector<std::uint32_t> in_plane(surfaces.size()); // number of surfaces in each plane
+    std::vector<std::uint32_t> last(surfaces.size());     // the last one of them
+    std::vector<std::uint32_t> before(surfaces.size());   // of each surface: the one before it in the same plane
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+        before[s] = std::exchange(last[plane_number[s]], s);
+        ++in_plane[plane_number[s]];
+    }
+    const auto find = [&](std::uint32_t s, std::vector<std::uint32_t>& found) {
         const auto take = [&](std::uint32_t other) {
             if (other != s && plane_number[other] == plane_number[s] && overlap(boxes[s], boxes[other]) &&
                 overlap_in_plane(surfaces[s], surfaces[other], 2.0 * frame.radius()))
                 found.push_back(other);
         };
-        const std::uint32_t begin = planes.begin[plane_number[s]];
-        const std::uint32_t end = planes.begin[plane_number[s] + 1];
-        if (tree.empty() || end - begin <= few_in_plane) {
-            std::for_each(planes.surfaces.begin() + begin, planes.surfaces.begin() + end, take);
+        std::size_t looked_at = 0;
+        if (tree.empty() || in_plane[plane_number[s]] <= few_in_plane) {
+            for (std::uint32_t other = last[plane_number[s]]; looked_at < in_plane[plane_number[s]]; ++looked_at) {
+                take(other);
+                other = before[other];
+            }
+            std::reverse(found.begin(), found.end());
             return true;
         }
-        std::size_t looked_at = 0;
         tree.for_each_near({frame.to_frame(boxes[s].low), frame.to_frame(boxes[s].high)}, [&](std::uint32_t other) {
             take(other);
             return ++looked_at < most_looked_at && found.size() <= most_listed;
@@ -102,30 +89,17 @@ PlaneNeighbours::PlaneNeighbours(const SurfaceList& surfaces, const LargeVector<
         return Neighbour{
             s, {single(low.x), single(low.y), single(low.z)}, {single(high.x), single(high.y), single(high.z)}};
     };
-    std::vector<std::vector<Neighbour>> lists((surfaces.size() + surfaces_at_a_time - 1) / surfaces_at_a_time);
     parallel_ranges(static_cast<std::uint32_t>(surfaces.size()), surfaces_at_a_time, threads,
                     [&](std::uint32_t first, std::uint32_t end) {
-                        std::vector<Neighbour>& list = lists[first / surfaces_at_a_time];
                         std::vector<std::uint32_t> found;
                         for (std::uint32_t s = first; s < end; ++s) {
                             found.clear();
-                            const std::size_t most_listed = list.size() > many_listed ? long_list : most_looked_at;
-                            if (!find(s, most_listed, found)) {
-                                first_[s] = unlisted;
-                            } else if (!found.empty()) {
-                                first_[s] = static_cast<std::uint32_t>(list.size() + 1);
-                                std::transform(found.begin(), found.end(), std::back_inserter(list), neighbour);
-                                list.push_back({end_of_list, {}, {}});
-                            }
+                            if (find(s, found))
+                                std::transform(found.begin(), found.end(), std::back_inserter(lists_[s]), neighbour);
+                            else
+                                lists_[s] = {{unlisted, {}, {}}};
                         }
                     });
-    for (std::size_t block = 0; block < lists.size(); ++block) {
-        const auto before = static_cast<std::uint32_t>(neighbours_.size() - 1);
-        const std::size_t end = std::min(surfaces.size(), (block + 1) * surfaces_at_a_time);
-        for (std::size_t s = block * surfaces_at_a_time; s < end; ++s)
-            first_[s] += first_[s] == empty_list || first_[s] == unlisted ? 0 : before;
-        neighbours_.insert(neighbours_.end(), lists[block].begin(), lists[block].end());
-    }
 }
 
 } // namespace multipath

@@ -3,7 +3,7 @@
 #include "geometry/intersector/shared_planes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace multipath {
 
@@ -15,11 +15,11 @@ Bounds expanded(const Bounds& box, double margin)
     return {box.low - step, box.high + step};
 }
 
-/// The box with a margin above the rounding errors of coordinates far from the origin.
-Bounds safe_from_rounding(const Bounds& box)
+/// The box with a margin and one above the rounding errors of coordinates far from the origin.
+Bounds with_margin(const Bounds& box, double margin)
 {
-    return expanded(box, 1e-12 * std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z),
-                                           std::abs(box.high.x), std::abs(box.high.y), std::abs(box.high.z)}));
+    const Bounds wider = expanded(box, margin);
+    return expanded(wider, 1e-12 * wider.largest_coordinate());
 }
 
 } // namespace
@@ -35,7 +35,7 @@ Bounds bounds_of(const SurfaceList& surfaces)
 Bounds box_around(const SurfaceList& surfaces)
 {
     const Bounds box = bounds_of(surfaces);
-    return safe_from_rounding(expanded(box, 2.0 * coplanar_distance * box.diagonal()));
+    return with_margin(box, 2.0 * coplanar_distance * box.diagonal());
 }
 
 LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces)
@@ -44,37 +44,22 @@ LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces)
     LargeVector<Bounds> boxes;
     boxes.reserve(surfaces.size());
     for (const Surface& surface : surfaces)
-        boxes.push_back(safe_from_rounding(expanded(surface.bounds(), margin)));
+        boxes.push_back(with_margin(surface.bounds(), margin));
     return boxes;
 }
 
 std::vector<std::uint32_t> order_by_descending_area(const SurfaceList& surfaces)
 {
-    struct Entry
-    {
-        double area;
-        std::uint32_t surface;
-    };
-    LargeVector<Entry> entries;
-    entries.reserve(surfaces.size());
+    LargeVector<std::pair<double, std::uint32_t>> by_area; // descending: negated
+    by_area.reserve(surfaces.size());
     for (const Surface& surface : surfaces)
-        entries.push_back({surface.area(), static_cast<std::uint32_t>(entries.size())});
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.area > b.area || (a.area == b.area && a.surface < b.surface);
-    });
+        by_area.emplace_back(-surface.area(), static_cast<std::uint32_t>(by_area.size()));
+    std::sort(by_area.begin(), by_area.end());
     std::vector<std::uint32_t> order;
     order.reserve(surfaces.size());
-    for (const Entry& entry : entries)
-        order.push_back(entry.surface);
+    for (const auto& [area, surface] : by_area)
+        order.push_back(surface);
     return order;
-}
-
-std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order)
-{
-    std::vector<std::uint32_t> rank(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        rank[order[k]] = static_cast<std::uint32_t>(order.size() - 1 - k);
-    return rank;
 }
 
 bool is_interior(const SurfaceList& surfaces)

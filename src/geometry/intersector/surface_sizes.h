@@ -22,10 +22,6 @@ LargeVector<Bounds> boxes_around_each(const SurfaceList& surfaces);
 /// Indices of the surfaces by descending area; surfaces of equal area by ascending index.
 std::vector<std::uint32_t> order_by_descending_area(const SurfaceList& surfaces);
 
-/// Rank of each surface by area, 0 for the smallest. Of surfaces with equal area, the one with the larger index has the
-/// lower rank. `order`: the result of order_by_descending_area.
-std::vector<std::uint32_t> size_ranks(const std::vector<std::uint32_t>& order);
-
 /// True if the surfaces are the inside of a room rather than the outside of objects: the volume that they enclose,
 /// computed by the divergence theorem with fronts outwards, is negative (below -1e-9 times the diagonal cubed). A room
 /// that lacks a wall still counts as a room.

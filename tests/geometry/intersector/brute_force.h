@@ -19,10 +19,13 @@ public:
     explicit BruteForce(const SurfaceList& surfaces)
         : planes_(share_planes(surfaces, order_by_descending_area(surfaces))),
           table_(surfaces, planes_),
-          rank_(size_ranks(order_by_descending_area(surfaces))),
+          rank_(surfaces.size()),
           outside_is_solid_(is_interior(surfaces)),
           frame_(box_around(surfaces))
     {
+        auto rank = static_cast<std::uint32_t>(surfaces.size());
+        for (const std::uint32_t surface : order_by_descending_area(surfaces))
+            rank_[surface] = --rank;
     }
 
     void all_hits(const Line& line, std::vector<Hit>& hits) const
