@@ -4,7 +4,8 @@
 // outside by less than a tolerance are ignored, which makes nearly coplanar faces harmless.
 //
 // The points are first transformed to width and thickness 1 (see thicken), so that in a nearly flat set the tolerance
-// applies to the thickness. Points in one plane get an apex above them: the other faces of this pyramid are their hull.
+// applies to the thickness. Points in one plane have a polygon as their hull, found by the monotone chain algorithm
+// (Andrew 1979).
 
 #include "geometry/convex_hull.h"
 
@@ -16,7 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace multipath {
@@ -27,15 +29,45 @@ using Corner = std::uint32_t;
 
 struct Face
 {
-    std::array<Corner, 3> corners; ///< counter-clockwise as seen from outside
-    Vec3 normal;                   ///< unit normal, of the thickened points
-    double offset;                 ///< likewise: dot(normal, p) in the plane of the face
-    std::vector<Corner> outside;   ///< points in front of this face; each point is in one list only
+    std::array<Corner, 3> corners;              ///< counter-clockwise as seen from outside
+    Vec3 normal;                                ///< unit normal, of the thickened points
+    double offset;                              ///< likewise: dot(normal, p) in the plane of the face
+    std::array<std::size_t, 3> neighbours = {}; ///< face i is across the edge from corner i to the next one
+    std::vector<Corner> outside;                ///< points in front of this face; each point is in one list only
     bool alive = true;
 };
 
-/// An edge of a face, in its direction.
-using Edge = std::pair<Corner, Corner>;
+/// An edge of the horizon: between a face that the apex sees and one that it does not see.
+struct HorizonEdge
+{
+    Corner from, to;    ///< in the direction of the visible face
+    std::size_t beyond; ///< the invisible face
+};
+
+using PlanePoint = std::pair<double, double>;
+
+/// Twice the signed area of the triangle, positive if it is counter-clockwise.
+double turn(PlanePoint a, PlanePoint b, PlanePoint c)
+{
+    return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
+}
+
+/// Twice the area between the straight line from the first to the last point and the half of the hull to the right of
+/// it, which turns left (monotone chain). The points must be sorted in either direction.
+template <class Iterator>
+double chain_area(Iterator first, Iterator last)
+{
+    std::vector<PlanePoint> chain;
+    for (; first != last; ++first) {
+        while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), *first) <= 0.0)
+            chain.pop_back();
+        chain.push_back(*first);
+    }
+    double area = 0.0;
+    for (std::size_t i = 2; i < chain.size(); ++i)
+        area += turn(chain[0], chain[i - 1], chain[i]);
+    return area;
+}
 
 Vec3 unit_or_zero(Vec3 v)
 {
@@ -48,7 +80,7 @@ public:
     /// `tolerance`: distance below which points count as in a plane, as a share of the extent of the points.
     HullBuilder(const LargeVector<Vec3>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-    /// The triangles of the hull: of one side of it if all points lie in one plane, none if they lie on a line.
+    /// The triangles of the hull; none if all points lie in one plane.
     std::vector<Face> faces()
     {
         if (!start())
@@ -58,30 +90,38 @@ public:
                 add_corner(farthest(faces_[f]), f);
         std::vector<Face> result;
         for (const Face& face : faces_)
-            if (face.alive && *std::max_element(face.corners.begin(), face.corners.end()) < points_.size())
+            if (face.alive)
                 result.push_back(face);
         return result;
     }
 
-    /// True if all points lie in one plane. Call faces() first.
-    bool is_flat() const { return thick_.size() > points_.size(); }
+    /// Area of both sides of the hull if all points lie in one plane. Call faces() first.
+    double flat_area() const
+    {
+        if (points_.size() < 3)
+            return 0.0;
+        const Vec3 origin = points_[a_];
+        const Vec3 along = unit_or_zero(points_[b_] - origin);
+        const Vec3 height = points_[c_] - origin;
+        const Vec3 across = unit_or_zero(height - dot(height, along) * along);
+        std::vector<PlanePoint> points;
+        points.reserve(points_.size());
+        for (const Vec3 p : points_)
+            points.push_back({dot(along, p - origin), dot(across, p - origin)});
+        std::sort(points.begin(), points.end());
+        const double below = chain_area(points.begin(), points.end());
+        return below + chain_area(points.rbegin(), points.rend()); // both sides of the polygon
+    }
 
 private:
     /// Signed distance of a thickened point from the plane of a face, positive outside.
     double distance(const Face& face, Corner p) const { return dot(face.normal, thick_[p]) - face.offset; }
 
-    void add_face(Corner a, Corner b, Corner c)
+    Face make_face(Corner a, Corner b, Corner c) const
     {
-        for (const Edge& edge : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
-            face_with_[key_of(edge)] = faces_.size();
         const Vec3 normal = unit_or_zero(cross(thick_[b] - thick_[a], thick_[c] - thick_[a]));
-        faces_.push_back({{a, b, c}, normal, dot(normal, thick_[a]), {}, true});
+        return {{a, b, c}, normal, dot(normal, thick_[a]), {}, {}, true};
     }
-
-    static std::uint64_t key_of(const Edge& edge) { return std::uint64_t{edge.first} << 32 | edge.second; }
-    static Edge edge_of(const Face& face, std::size_t i) { return {face.corners[i], face.corners[(i + 1) % 3]}; }
-    /// The face on the other side of an edge.
-    std::size_t across(const Edge& edge) const { return face_with_.at(key_of({edge.second, edge.first})); }
 
     /// The point with the largest measure(p).
     template <class Measure>
@@ -94,41 +134,30 @@ private:
         return best;
     }
 
-    /// Builds the first tetrahedron. If all points lie in one plane, its apex is an additional point above them.
-    /// Returns false if they lie on a line.
+    /// Builds the first tetrahedron. Returns false if all points lie in one plane.
     bool start()
     {
         if (points_.size() < 3)
             return false;
         const Vec3 first = points_[0];
-        const Corner a = argmax([&](Corner p) { return length(points_[p] - first); });
-        const Vec3 origin = points_[a];
-        Corner b = argmax([&](Corner p) { return length(points_[p] - origin); });
-        const Vec3 axis = points_[b] - origin;
-        Corner c = argmax([&](Corner p) { return length(cross(axis, points_[p] - origin)); });
-        const Vec3 normal = unit_or_zero(cross(axis, points_[c] - origin));
-        if (normal == Vec3{})
-            return false;
+        a_ = argmax([&](Corner p) { return length(points_[p] - first); });
+        const Vec3 origin = points_[a_];
+        b_ = argmax([&](Corner p) { return length(points_[p] - origin); });
+        const Vec3 axis = points_[b_] - origin;
+        c_ = argmax([&](Corner p) { return length(cross(axis, points_[p] - origin)); });
+        const Vec3 normal = unit_or_zero(cross(axis, points_[c_] - origin));
         const auto height = [&](Corner p) { return dot(normal, points_[p] - origin); };
-        Corner d = argmax([&](Corner p) { return std::abs(height(p)); });
-        const double thickness = std::abs(height(d));
-        const bool is_flat = thickness <= tolerance_ * length(axis);
-        const Vec3 across = cross(normal, axis);
-        const double width = dot(across, points_[c] - origin);
-        thicken(origin, axis, across, width, (is_flat ? length(axis) : thickness) * normal);
-        if (is_flat) {
-            tolerance_ = 1e-12;
-            for (Vec3& point : thick_)
-                point.z = 0.0;
-            d = static_cast<Corner>(points_.size());
-            thick_.push_back({0.0, 0.0, 1.0});
-        }
-        if (thick_[d].z > 0.0)
-            std::swap(b, c);
-        add_face(a, b, c);
-        add_face(a, d, b);
-        add_face(b, d, c);
-        add_face(c, d, a);
+        const Corner d = argmax([&](Corner p) { return std::abs(height(p)); });
+        if (std::abs(height(d)) <= tolerance_ * length(axis))
+            return false;
+        thicken(origin, axis, cross(normal, axis), std::abs(height(d)) * normal);
+        if (height(d) > 0.0)
+            std::swap(b_, c_);
+        faces_ = {make_face(a_, b_, c_), make_face(a_, d, b_), make_face(b_, d, c_), make_face(c_, d, a_)};
+        faces_[0].neighbours = {1, 2, 3};
+        faces_[1].neighbours = {3, 2, 0};
+        faces_[2].neighbours = {1, 3, 0};
+        faces_[3].neighbours = {2, 1, 0};
         std::vector<Corner> all(points_.size());
         for (Corner p = 0; p < all.size(); ++p)
             all[p] = p;
@@ -137,9 +166,10 @@ private:
     }
 
     /// Transforms the points affinely to coordinates in which the widest triangle and the height above it have size 1.
-    void thicken(Vec3 origin, Vec3 axis, Vec3 across, double width, Vec3 height)
+    void thicken(Vec3 origin, Vec3 axis, Vec3 across, Vec3 height)
     {
-        thick_.reserve(points_.size() + 1);
+        const double width = dot(across, points_[c_] - origin);
+        thick_.reserve(points_.size());
         for (const Vec3 point : points_) {
             const Vec3 p = point - origin;
             thick_.push_back(
@@ -169,11 +199,12 @@ private:
     /// Replaces the faces that the apex sees, one of which is `first_visible`, by a cone over the horizon.
     void add_corner(Corner apex, std::size_t first_visible)
     {
-        std::vector<Edge> horizon;
+        std::vector<HorizonEdge> horizon;
         const std::vector<std::size_t> visible = remove_visible(apex, first_visible, horizon);
         const std::size_t first_new = faces_.size();
-        for (const auto& [from, to] : horizon)
-            add_face(from, to, apex);
+        for (const HorizonEdge& edge : horizon)
+            faces_.push_back(make_face(edge.from, edge.to, apex));
+        link_cone(horizon, first_new);
         std::vector<Corner> orphans;
         for (const std::size_t f : visible) {
             orphans.insert(orphans.end(), faces_[f].outside.begin(), faces_[f].outside.end());
@@ -184,32 +215,53 @@ private:
 
     /// Marks the faces that the apex sees as dead; returns their indices and stores the horizon. Both lists are sorted,
     /// so that the result does not depend on the order of the search through the neighbours.
-    std::vector<std::size_t> remove_visible(Corner apex, std::size_t first, std::vector<Edge>& horizon)
+    std::vector<std::size_t> remove_visible(Corner apex, std::size_t first, std::vector<HorizonEdge>& horizon)
     {
         std::vector<std::size_t> visible = {first};
         faces_[first].alive = false;
         for (std::size_t k = 0; k < visible.size(); ++k)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::size_t neighbour = across(edge_of(faces_[visible[k]], i));
+            for (const std::size_t neighbour : faces_[visible[k]].neighbours)
                 if (faces_[neighbour].alive && distance(faces_[neighbour], apex) > tolerance_) {
                     faces_[neighbour].alive = false;
                     visible.push_back(neighbour);
                 }
-            }
         for (const std::size_t f : visible)
             for (std::size_t i = 0; i < 3; ++i)
-                if (faces_[across(edge_of(faces_[f], i))].alive)
-                    horizon.push_back(edge_of(faces_[f], i));
+                if (faces_[faces_[f].neighbours[i]].alive)
+                    horizon.push_back({faces_[f].corners[i], faces_[f].corners[(i + 1) % 3], faces_[f].neighbours[i]});
         std::sort(visible.begin(), visible.end());
-        std::sort(horizon.begin(), horizon.end());
+        std::sort(horizon.begin(), horizon.end(), [](const HorizonEdge& a, const HorizonEdge& b) {
+            return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+        });
         return visible;
+    }
+
+    /// Links the new faces, one for each edge of the horizon in order, with each other and with the faces beyond.
+    void link_cone(const std::vector<HorizonEdge>& horizon, std::size_t first_new)
+    {
+        std::vector<std::size_t> by_end(horizon.size());
+        std::iota(by_end.begin(), by_end.end(), std::size_t{0});
+        std::sort(by_end.begin(), by_end.end(), [&](std::size_t k, std::size_t l) {
+            return std::tie(horizon[k].to, horizon[k].from) < std::tie(horizon[l].to, horizon[l].from);
+        });
+        for (std::size_t next = 0; next < horizon.size(); ++next) { // by_end[next] ends where `next` begins
+            faces_[first_new + by_end[next]].neighbours[1] = first_new + next;
+            faces_[first_new + next].neighbours[2] = first_new + by_end[next];
+        }
+        for (std::size_t k = 0; k < horizon.size(); ++k) {
+            faces_[first_new + k].neighbours[0] = horizon[k].beyond;
+            Face& beyond = faces_[horizon[k].beyond];
+            for (std::size_t i = 0; i < 3; ++i)
+                if (beyond.corners[i] == horizon[k].to && beyond.corners[(i + 1) % 3] == horizon[k].from)
+                    beyond.neighbours[i] = first_new + k;
+        }
     }
 
     const LargeVector<Vec3>& points_;
     double tolerance_;
-    LargeVector<Vec3> thick_; ///< the points, thickened, and of a flat set one point above them
+    LargeVector<Vec3> thick_; ///< the points, thickened
     std::vector<Face> faces_;
-    std::unordered_map<std::uint64_t, std::size_t> face_with_; ///< the face of each edge
+    Corner a_ = 0, b_ = 0, c_ = 0; ///< the widest triangle found at the start
 };
 
 } // namespace
@@ -217,14 +269,16 @@ private:
 ConvexHull::ConvexHull(const LargeVector<Vec3>& points)
 {
     HullBuilder builder(points, 1e-7);
-    for (const Face& face : builder.faces()) {
+    const std::vector<Face> faces = builder.faces();
+    for (const Face& face : faces) {
         const Vec3 corner = points[face.corners[0]];
         const Vec3 normal = cross(points[face.corners[1]] - corner, points[face.corners[2]] - corner);
         area_ += 0.5 * length(normal);
-        if (!builder.is_flat() && normal != Vec3{})
+        if (normal != Vec3{})
             sides_.push_back({normalized(normal), dot(normalized(normal), corner)});
     }
-    area_ *= builder.is_flat() ? 2.0 : 1.0;
+    if (faces.empty())
+        area_ = builder.flat_area();
 }
 
 bool ConvexHull::meets(const Line& line) const
