@@ -32,8 +32,8 @@ inline PointSet points_of(const Sequence& sequence, std::uint64_t first, std::ui
 
 // Discrepancy: how far a point set is from uniform. The local discrepancy of a box [0, q) is the fraction of the points
 // that lie in the box, minus the volume of the box. The L2 star discrepancy is the root mean square of the local
-// discrepancy over all corners q in the unit cube (Warnock, "Computational investigations of low-discrepancy point sets",
-// 1972).
+// discrepancy over all corners q in the unit cube (Warnock, "Computational investigations of low-discrepancy point
+// sets", 1972).
 
 /// L2 star discrepancy of N >= 1 points in d dimensions, in O(N^2 d) time.
 double l2_star_discrepancy(const PointSet& points);
