@@ -190,14 +190,7 @@ Camera automatic_camera(const Scene& scene, double aspect, Vec3 up, const std::v
     if (!(length(up) > 0.0) || !std::isfinite(length(up)))
         throw SettingsError("camera: the up direction must be a finite vector that is not zero");
     const Frame frame = frame_of(scene, up);
-    LitScene lit_scene(scene, radiosity, frame.box.diagonal());
-    Bounds lit;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        if (lit_scene.is_lit(i))
-            for (const Vec3 corner : corners_of(scene.patch(i).shape))
-                lit.include(corner);
-    if (!lit.empty())
-        lit_scene.size = std::min(lit_scene.size, lit.diagonal());
+    const LitScene lit_scene(scene, radiosity, frame.box.diagonal());
     std::vector<Camera> cameras = cameras_within(lit_scene, frame, up, aspect);
     const std::size_t within = cameras.size();
     if (cameras.empty() || !has_daylight(scene)) {

@@ -14,7 +14,7 @@ namespace multipath {
 namespace {
 
 constexpr double cells_along_size = 24.0; // cells of space that are counted to measure variety
-constexpr double too_near = 0.3;          // share of the distance to the target
+constexpr double too_near = 0.08;         // share of the size
 
 /// Importance of a surface in a picture: the root of its area, so that small objects are not neglected.
 double weight(const Surface& surface)
@@ -76,7 +76,7 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
             continue;
         }
         const Hit& hit = *hits[k];
-        near += hit.t < too_near * length(camera.target - camera.eye) ? 1 : 0;
+        near += hit.t < too_near * lit_scene.size ? 1 : 0;
         const std::uint32_t patch = scene.patch_at(hit.surface, hit.u, hit.v, hit.front);
         if (!lit_scene.is_lit(patch)) {
             ++dark;
