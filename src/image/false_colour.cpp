@@ -64,7 +64,9 @@ std::vector<Rgb> patch_colours(std::size_t patches)
 }
 
 // A false-colour picture is made in three steps. The values at the pixel centres tell the range that is visible, from
-// which the scale of the legend follows. A render shows every patch in its colour. Contour lines are drawn on top.
+// which the scale of the legend follows. A render shows every patch in its colour. Contour
+// lines are drawn on top: a pixel is covered where the distance to the line, estimated from the difference between its
+// value and the contour level divided by the gradient, is below half of the line's width.
 
 namespace {
 
@@ -112,28 +114,79 @@ std::vector<SeenValue> seen_values(const Scene& scene, const std::vector<double>
     return seen;
 }
 
-/// Draws contour lines: a pixel belongs to one if a pixel within `reach`, on the same side of a surface, has a value on
-/// the other side of the level.
-void draw_contours(ScreenImage& screen, const std::vector<SeenValue>& seen, const Legend& legend)
+/// Draws contour lines.
+class ContourPen
 {
-    const int reach = std::max(1, screen.height / 800);
-    const auto draw_between = [&](std::uint8_t* pixel, SeenValue a, SeenValue b) {
-        for (int step = 1; step <= legend.scale.steps; ++step) {
-            const double level = legend.scale.top() * step / legend.scale.steps;
-            if (legend.has_contour(step) && (a.value >= level) != (b.value >= level))
-                std::fill_n(pixel, 3, legend.contour_grey(step));
+public:
+    ContourPen(ScreenImage& screen, const std::vector<SeenValue>& seen, const Legend& legend)
+        : screen_(screen), seen_(seen), legend_(legend), width_(std::max(1.0, screen.height / 400.0))
+    {
+    }
+
+    void draw()
+    {
+        for (int y = 0; y < screen_.height; ++y)
+            for (int x = 0; x < screen_.width; ++x)
+                if (at(x, y).side != SeenValue::nothing)
+                    draw_at(x, y);
+    }
+
+private:
+    const SeenValue& at(int x, int y) const { return seen_[pixel_index(screen_.width, x, y)]; }
+
+    bool is_same_side(int x, int y, std::uint32_t side) const
+    {
+        return x >= 0 && y >= 0 && x < screen_.width && y < screen_.height && at(x, y).side == side;
+    }
+
+    /// Change of the value per pixel along (step_x, step_y): the central difference, one-sided at the border of a side.
+    double slope(int x, int y, int step_x, int step_y) const
+    {
+        const std::uint32_t side = at(x, y).side;
+        const bool before = is_same_side(x - step_x, y - step_y, side);
+        const bool after = is_same_side(x + step_x, y + step_y, side);
+        if (!before && !after)
+            return 0.0;
+        const double low = before ? at(x - step_x, y - step_y).value : at(x, y).value;
+        const double high = after ? at(x + step_x, y + step_y).value : at(x, y).value;
+        return (high - low) / (before && after ? 2.0 : 1.0);
+    }
+
+    /// True if a pixel nearby on the same side has a value on the other side of the level, so that the level is crossed
+    /// there and not only approached.
+    bool is_crossed(int x, int y, double level) const
+    {
+        const int reach = static_cast<int>(std::ceil(0.5 * width_)) + 1;
+        const bool above = at(x, y).value >= level;
+        for (int v = y - reach; v <= y + reach; ++v)
+            for (int u = x - reach; u <= x + reach; ++u)
+                if (is_same_side(u, v, at(x, y).side) && (at(u, v).value >= level) != above)
+                    return true;
+        return false;
+    }
+
+    /// Blends the contour lines near a pixel into it. The coverage is antialiased over one pixel at the line's border.
+    void draw_at(int x, int y)
+    {
+        const double steepness = elementary::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
+        for (int step = 1; steepness > 0.0 && step <= legend_.scale.steps; ++step) {
+            const double level = legend_.scale.top() * step / legend_.scale.steps;
+            const double cover = 0.5 * width_ + 0.5 - std::abs(at(x, y).value - level) / steepness;
+            if (!legend_.has_contour(step) || cover <= 0.0 || !is_crossed(x, y, level))
+                continue;
+            for (int channel = 0; channel < 3; ++channel) {
+                std::uint8_t& byte = screen_.at(x, y)[channel];
+                byte = static_cast<std::uint8_t>(
+                    std::lround(byte + std::min(cover, 1.0) * (legend_.contour_grey(step) - byte)));
+            }
         }
-    };
-    for (int y = 0; y < screen.height; ++y)
-        for (int x = 0; x < screen.width; ++x)
-            for (int v = std::max(y - reach, 0); v <= std::min(y + reach, screen.height - 1); ++v)
-                for (int u = std::max(x - reach, 0); u <= std::min(x + reach, screen.width - 1); ++u) {
-                    const SeenValue& here = seen[pixel_index(screen.width, x, y)];
-                    const SeenValue& there = seen[pixel_index(screen.width, u, v)];
-                    if (here.side != SeenValue::nothing && here.side == there.side)
-                        draw_between(screen.at(x, y), here, there);
-                }
-}
+    }
+
+    ScreenImage& screen_;
+    const std::vector<SeenValue>& seen_;
+    const Legend& legend_;
+    double width_; ///< [pixels]
+};
 
 /// The legend for values in ascending order.
 Legend legend_for(const std::string& title, const std::vector<double>& sorted)
@@ -181,7 +234,7 @@ ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Cam
         colours.push_back(std::isfinite(value) ? map_colour(value / legend.scale.top()) : Rgb{});
     ScreenImage screen = flat_picture(scene, colours, view, options);
     if (quantity.contours)
-        draw_contours(screen, seen_values(scene, values, hits, options.threads), legend);
+        ContourPen(screen, seen_values(scene, values, hits, options.threads), legend).draw();
     if (legend_rows > 0) {
         const ScreenImage strip = legend_strip(options.width, legend_rows, legend);
         screen.bytes.insert(screen.bytes.end(), strip.bytes.begin(), strip.bytes.end());

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -49,15 +50,9 @@ Scene pillar_room()
     return builder.rectangle({1.5, 2.9, 1.5}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 1.0)).scene(1.0);
 }
 
-/// Quality of a view, where all patches count as lit unless `radiosity` is given.
-ViewQuality quality_of(const Scene& scene, const Camera& camera, int rows, const std::vector<Rgb>& radiosity = {})
-{
-    return view_quality(LitScene(scene, radiosity, scene.own_bounds().diagonal()), camera, aspect, rows);
-}
-
 ViewQuality quality(const Scene& scene, Vec3 eye, Vec3 target)
 {
-    return quality_of(scene, {eye, target, {0, 1, 0}, 60.0}, 18);
+    return view_quality(LitScene(scene), {eye, target, {0, 1, 0}, 60.0}, 4.0 / 3.0, 18);
 }
 
 /// A flat of two rooms without a door. Only the left one has light, but for a thousandth that leaks.
@@ -175,7 +170,7 @@ TEST_CASE("the camera of a closed room stands in it, looks down a little, and se
 {
     const Scene scene = furnished_room().scene(1.0);
     const Camera camera = automatic_camera(scene, aspect);
-    const ViewQuality quality = quality_of(scene, camera, 30);
+    const ViewQuality quality = view_quality(LitScene(scene), camera, aspect, 30);
     CHECK(quality.escaped_share == 0.0);
     CHECK(quality.back_share == 0.0);
     CHECK(camera.eye.y > camera.target.y);
@@ -207,8 +202,9 @@ TEST_CASE("the camera moves with the scene, in any unit, anywhere, and with any 
         CHECK(length(away.target - (offset + scale * plain.target)) < 1e-9 * scale);
 
         const Camera turned = automatic_camera(moved(furnished_room(), scale, offset, true), aspect, {0, 0, 1});
-        CHECK(quality_of(moved(furnished_room(), scale, offset, true), turned, 18).score ==
-              doctest::Approx(quality_of(furnished_room().scene(1.0), plain, 18).score).epsilon(0.02));
+        CHECK(view_quality(LitScene(moved(furnished_room(), scale, offset, true)), turned, aspect, 18).score ==
+              doctest::Approx(view_quality(LitScene(furnished_room().scene(1.0)), plain, aspect, 18).score)
+                  .epsilon(0.02));
     }
 }
 
@@ -240,20 +236,20 @@ TEST_CASE("however wide the picture, its sides are not stretched")
 
 TEST_CASE("what has no light is not shown where something else has")
 {
-    // Two rooms side by side, of which only the smaller one has a lamp.
+    // Two rooms side by side, the larger and richer of them without a lamp.
     SceneBuilder builder;
     const std::uint32_t paint = builder.grey(0.5, 0.0);
     builder.room({0, 0, 0}, {8, 3, 8}, paint).box({2, 0, 2}, {3, 1, 3}, paint).box({5, 0, 4}, {6, 2, 6}, paint);
     builder.room({10, 0, 2}, {14, 3, 6}, paint).rectangle({11, 2.9, 3}, {1, 0, 0}, {0, 0, 1}, builder.grey(0.0, 10.0));
     const Scene scene = builder.scene(1.0);
-    for (const bool is_lit_right : {true, false}) {
-        std::vector<Rgb> radiosity(scene.patch_count());
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            if ((scene.patch(i).shape.centre().x > 9.0) == is_lit_right)
-                radiosity[i] = scene.emittance(i) + Rgb{1.0, 1.0, 1.0};
-        const Camera camera = automatic_camera(scene, aspect, {0, 1, 0}, radiosity);
-        CHECK(quality_of(scene, camera, 30, radiosity).dark_share < 0.05);
-    }
+    std::vector<Rgb> radiosity(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        if (scene.patch(i).shape.centre().x > 9.0)
+            radiosity[i] = {1.0, 1.0, 1.0};
+    const Camera camera = automatic_camera(scene, aspect, {0, 1, 0}, radiosity);
+    CHECK(view_quality(LitScene(scene, radiosity), camera, aspect, 30).dark_share < 0.05);
+    CHECK(view_quality(LitScene(scene), automatic_camera(scene, aspect), aspect, 30).dark_share == 0.0);
+    CHECK(view_quality(LitScene(scene, radiosity), automatic_camera(scene, aspect), aspect, 30).dark_share > 0.2);
 }
 
 // What a lamp emits says nothing of what is lit.
@@ -264,19 +260,43 @@ TEST_CASE("walls count as lit however little they reflect of the light")
         std::vector<Rgb> radiosity;
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             radiosity.push_back(scene.emittance(i) + Rgb{reflected, 0.5 * reflected, 2.0 * reflected});
-        const LitScene lit(scene, radiosity, 1.0);
-        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-            CHECK(lit.is_lit(i));
+        const std::vector<bool> is_lit = LitScene(scene, radiosity).is_lit;
+        CHECK(std::count(is_lit.begin(), is_lit.end(), false) == 0);
     }
 }
 
-TEST_CASE("a flat with a dark room is seen from the side of its lit room")
+TEST_CASE("a flat with a dark room is seen from within its lit room")
 {
     const Flat flat = flat_with_dark_room();
     const Camera camera = automatic_camera(flat.scene, aspect, {0, 1, 0}, flat.radiosity);
-    CHECK(camera.eye.x < 2.95);
-    const ViewQuality quality = quality_of(flat.scene, camera, 30, flat.radiosity);
+    for (const auto& [x, low, high] : {std::array{camera.eye.x, 0.0, 2.95}, std::array{camera.eye.y, 0.0, 2.6},
+                                       std::array{camera.eye.z, 0.0, 4.0}}) {
+        CHECK(x > low);
+        CHECK(x < high);
+    }
+    const ViewQuality quality = view_quality(LitScene(flat.scene, flat.radiosity), camera, aspect, 30);
     CHECK(quality.dark_share == 0.0);
+    CHECK(quality.unexposed_share == 0.0);
+    CHECK(quality.is_good());
+}
+
+// Both halves in one picture: whatever the exposure, one of them is lost.
+TEST_CASE("a view of a lit and a dark room at once is not good")
+{
+    const Flat flat = flat_with_dark_room();
+    const LitScene lit(flat.scene, flat.radiosity);
+    const Camera both = {{3, 1.6, -2.5}, {3, 1.2, 2}, {0, 1, 0}, 60.0};
+    CHECK(view_quality(lit, both, aspect, 30).unexposed_share > 0.3);
+    CHECK_FALSE(view_quality(lit, both, aspect, 30).is_good());
+}
+
+TEST_CASE("a view past something that fills much of the picture is not good")
+{
+    const Scene scene = furnished_room().scene(1.0);
+    const ViewQuality hidden =
+        view_quality(LitScene(scene), {{3.5, 2.7, 2.5}, {2.5, 3, 2.5}, {0, 1, 0}, 80.0}, aspect, 18);
+    CHECK(hidden.in_the_way_share > 0.4);
+    CHECK_FALSE(hidden.is_good());
 }
 
 TEST_CASE("under a sky a court is seen from within, and a house from outside")
@@ -344,7 +364,7 @@ TEST_CASE("a scene with its axes exchanged is seen as well, from as far away")
             const std::vector<Rgb> light = daylight_on(scene, axes.y);
             const std::vector<Rgb> radiosity = c.sky ? light : std::vector<Rgb>{};
             const Camera camera = automatic_camera(scene, aspect, axes.y, radiosity);
-            const double score = quality_of(scene, camera, 18, radiosity).score;
+            const double score = view_quality(LitScene(scene, radiosity), camera, aspect, 18).score;
             return std::pair{score, length(camera.eye - scene.own_bounds().centre())};
         };
         const auto [score, distance] = seen({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
@@ -377,6 +397,17 @@ TEST_CASE("a view across the room is better than a close look at a wall")
     const double across = quality(scene, {0.3, 1.9, 0.3}, {2.5, 1.2, 2.5}).score;
     const double wall = quality(scene, {0.3, 1.9, 0.3}, {0.0, 1.9, 0.31}).score;
     CHECK(across > wall + 0.5); // half of what a view that shows everything could gain
+}
+
+// A bare room is the same upside down, but for the floor, which adds up to 0.5 to a view, and the ceiling, which adds
+// up to 0.2. Both cameras see enough of the one and nothing of the other.
+TEST_CASE("a floor in the picture is worth more than a ceiling")
+{
+    SceneBuilder builder;
+    const Scene scene = builder.room({0, 0, 0}, {4, 3, 4}, builder.grey(0.5, 1.0)).scene(1.0);
+    const double down = quality(scene, {2, 1.5, 0.2}, {2, 0, 2.2}).score;
+    const double up = quality(scene, {2, 1.5, 0.2}, {2, 3, 2.2}).score;
+    CHECK(std::abs(down - up - 0.3) < 0.05); // the cells of the scene are not those of its mirror image
 }
 
 } // namespace automatic_camera_test

@@ -57,12 +57,34 @@ double scale_of(const Scene& scene, const std::vector<Rgb>& radiosity, const Cam
 
 } // namespace
 
+// Indoors every pixel of the middle half has radiosity 1, however bright the day.
+TEST_CASE("what a window shows has no influence on the exposure of a room")
+{
+    const Scene scene = room_with_view();
+    const Camera camera = {{2.5, 1.4, 0.3}, {2.5, 1.4, 4.0}, {0, 1, 0}, 60.0};
+    for (const NamedToneOperator& named : tone_operators) {
+        CAPTURE(named.name);
+        const double scale = scale_of(scene, radiosity_of(scene, 1.0, 1.0), camera, named.tone);
+        CHECK(scale_of(scene, radiosity_of(scene, 1e4, 1e5), camera, named.tone) == doctest::Approx(scale));
+        CHECK(scale_of(scene, radiosity_of(scene, 1e-4, 0.0), camera, named.tone) == doctest::Approx(scale));
+    }
+}
+
 TEST_CASE("outdoors the exposure is that of all but the sky")
 {
     const Scene scene = room_with_view();
     const Camera camera = {{2.5, 1.5, 5.0}, {2.5, 1.5, 15.0}, {0, 1, 0}, 60.0};
     const double scale = scale_of(scene, radiosity_of(scene, 1.0, 1.0), camera, ToneOperator::reinhard);
     CHECK(scale_of(scene, radiosity_of(scene, 4.0, 1e6), camera, ToneOperator::reinhard) ==
+          doctest::Approx(scale / 4.0));
+}
+
+TEST_CASE("a picture of nothing but the view from a window is exposed for the view")
+{
+    const Scene scene = room_with_view();
+    const Camera camera = {{2.5, 1.5, 3.5}, {2.5, 1.5, 15.0}, {0, 1, 0}, 30.0};
+    const double scale = scale_of(scene, radiosity_of(scene, 1.0, 1.0), camera, ToneOperator::reinhard);
+    CHECK(scale_of(scene, radiosity_of(scene, 4.0, 1.0), camera, ToneOperator::reinhard) ==
           doctest::Approx(scale / 4.0));
 }
 
