@@ -40,7 +40,8 @@ OptionGroup method_option_group(const Option& line_count, bool with_reuse)
         {method_option(with_reuse),
          line_count,
          {"ratio", 0, "R", "auto",
-          "Local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse."},
+          "Local lines for each global line; auto takes the paper's optimum for the scene, and 1 for reuse; measured, "
+          "for first-shot and extended, the best by a pilot of some rays."},
          {"power-per-line", 0, "W", "", "Power of one ray of the (extended) first shot in watts, instead of --ratio."},
          {"threshold", 0, "B", "auto",
           "Unshot radiosity in W/m^2 that the extended first shot leaves on every patch; auto takes the paper's."},
@@ -106,7 +107,8 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
         options.bundle = read_count("--bundle", line.text("bundle"), 1, 1u << 20);
     options.skip = read_count("--skip", line.text("skip"), 0, most_lines);
     options.seed = read_count("--seed", line.text("seed"));
-    if (line.text("ratio") != "auto")
+    options.measured_ratio = line.text("ratio") == "measured";
+    if (!options.measured_ratio && line.text("ratio") != "auto")
         options.ratio = read_real("--ratio", line.text("ratio"), 0.0, 1e12);
     options.bidirectional = line.choice("bidirectional", yes_or_no).value;
     if (line.knows("direct"))
@@ -117,6 +119,8 @@ SolveOptions read_solve_options(const CommandLine& line, std::string_view line_c
         options.memory = static_cast<double>(read_bytes("--memory", line.text("memory")));
     options.threads = thread_count(line);
     options.method = method_named(line.text("method"));
+    if (options.measured_ratio && !has_option(options.method, "line-order"))
+        throw UsageError("--ratio measured is for the methods first-shot and extended; expected a number or auto");
     options.sequence = line.text("sequence");
     options.line_order = line.choice("line-order", line_order_choices).value;
     options.pairing = line.choice("pairing", pairing_choices).value;

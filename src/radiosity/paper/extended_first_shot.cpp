@@ -60,6 +60,13 @@ void visit(Archive& archive, std::vector<ShotPass>& passes)
                     field<double>("pass power", &ShotPass::power), field<double>("pass balances", &ShotPass::balance));
 }
 
+std::vector<ShotPass> shoot_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                  ExtendedShotOptions options, std::uint64_t rays, int threads, PowerState& state)
+{
+    options.power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(rays);
+    return shoot_extended(scene, sequence, first_item, options, {threads}, state);
+}
+
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe)
@@ -72,12 +79,9 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
         visit(archive, pilot);
     });
     if (!part.resumed() && !options.power_by_line && options.most_steps > 1) {
-        // It uses the same items as the passes that follow, but only powers are taken from it.
-        const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096); // of its first pass
-        ExtendedShotOptions few = options;
-        few.power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(rays);
-        PowerState copy = state;
-        pilot = shoot_extended(scene, sequence, first_item, few, {run.threads}, copy);
+        PowerState copy = state; // only powers are taken from it
+        const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
+        pilot = shoot_pilot(scene, sequence, first_item, options, rays, run.threads, copy);
     }
     while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
         const double excess = power_above(scene, state, options.threshold);

@@ -45,6 +45,11 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe = {});
 
+/// The same with few rays: about `rays` in the first pass, and of the same power in the others. It takes the items that
+/// the rays of a run with these options take.
+std::vector<ShotPass> shoot_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                  ExtendedShotOptions options, std::uint64_t rays, int threads, PowerState& state);
+
 /// Reads or writes the passes for a checkpoint.
 void visit(Archive& archive, std::vector<ShotPass>& passes);
 

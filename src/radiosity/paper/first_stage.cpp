@@ -3,8 +3,11 @@
 #include "base/errors.h"
 #include "radiosity/paper/direct_light.h"
 #include "radiosity/paper/line_budget.h"
+#include "radiosity/paper/measured_ratio.h"
 #include "radiosity/run/run.h"
 #include "transport/lines/depth_complexity.h"
+
+#include <algorithm>
 
 namespace multipath {
 
@@ -19,12 +22,39 @@ FirstShot first_shot_of(const SolveOptions& options)
     return gathers ? FirstShot::none : options.method->first_shot;
 }
 
+ExtendedShotOptions shot_options(const Scene& scene, const SolveOptions& options)
+{
+    ExtendedShotOptions shot;
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
+    shot.most_steps =
+        first_shot_of(options) == FirstShot::plain ? 1 : options.most_steps; // the first pass is the first shot
+    shot.seed = options.seed;
+    return shot;
+}
+
+/// The ratio that a pilot of the first shot shows to be best.
+std::optional<double> measured_ratio(const Scene& scene, const SolveOptions& options)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    // With less than a ray for each patch the passes would shoot nearly everything, and leave little to the walk.
+    const std::uint64_t rays =
+        std::clamp<std::uint64_t>(options.lines / 16, 1, std::max<std::uint64_t>(4096, 2 * scene.patch_count()));
+    PilotShot pilot{PowerState(scene), PowerState(scene), {}};
+    pilot.passes =
+        shoot_pilot(scene, *sequence, options.skip, shot_options(scene, options), rays, options.threads, pilot.after);
+    const WalkDensity walk = walk_density(scene, GlobalLines(scene.bounds(), chords_of(options)), *sequence,
+                                          options.skip, options.bidirectional);
+    return best_ratio(line_variances(scene, pilot, walk)); // (V1) (V2)
+}
+
 } // namespace
 
 double ratio_for(const Scene& scene, const SolveOptions& options)
 {
     if (options.ratio)
         return *options.ratio;
+    if (options.measured_ratio)
+        return measured_ratio(scene, options).value_or(1.0);
     BudgetFigures figures;
     figures.intersections = intersections_of_hull_line(scene);
     figures.average_reflectance = mean(scene.average_reflectance());
@@ -42,13 +72,9 @@ double ratio_for(const Scene& scene, const SolveOptions& options)
 void shoot_first(Run& run, const PassObserver& observe)
 {
     const SolveOptions& options = run.options;
-    const FirstShot kind = first_shot_of(options);
-    if (kind == FirstShot::none)
+    if (first_shot_of(options) == FirstShot::none)
         return;
-    ExtendedShotOptions shot;
-    shot.threshold = options.threshold.value_or(threshold_radiosity(run.scene)); // (4)
-    shot.most_steps = kind == FirstShot::plain ? 1 : options.most_steps;         // the first pass is the first shot
-    shot.seed = options.seed;
+    ExtendedShotOptions shot = shot_options(run.scene, options);
     shot.power_by_line = options.power_by_line;
     if (shot.power_by_line &&
         power_above(run.scene, run.state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))

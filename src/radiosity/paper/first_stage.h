@@ -8,7 +8,7 @@ class Run;
 struct SolveOptions;
 
 /// N_l / N_g, local lines per global line, for the methods that shoot first: the ratio that the user has set, else the
-/// optimum for the scene (optimal_ratio), or 1 where there is no optimum.
+/// optimum for the scene by (3), or by a pilot with options.measured_ratio; 1 where there is no optimum.
 double ratio_for(const Scene& scene, const SolveOptions& options);
 
 /// The stage before the global lines: the first shot, or the extended first shot, as the method demands; nothing for a

@@ -43,6 +43,7 @@ struct SolveOptions
     std::uint64_t skip = 0;                       ///< number of items to omit at the beginning of the sequence
     std::uint64_t lines = 1u << 20;               ///< number of local and global lines together
     std::optional<double> ratio;                  ///< local lines per global line; empty: see ratio_for()
+    bool measured_ratio = false;                  ///< `ratio` is empty: the best by a pilot (measured_ratio.h), not (3)
     std::optional<double> power_by_line;          ///< [W] power of one ray of a first shot; replaces the ratio
     std::optional<double> threshold;              ///< [W/m^2] unshot radiosity kept by every patch in a first shot;
                                                   ///< empty: threshold_radiosity()

@@ -1,0 +1,119 @@
+// Packets of power arrive at a patch like events of a Poisson process. If each carries s, and the expected sum is I,
+// the variance of the sum is the expected number times E[s^2].
+//
+// Local lines: all rays carry Phi_s / N_l, where Phi_s is the power of all passes, so patch j gets the variance
+// I_j Phi_s / N_l. Its radiosity gets that times (rho_j / A_j)^2, and the sum over the area is (V1).
+//
+// Global lines: let each square metre send d packets per line, and let patch i have the unshot radiosity b_i after the
+// shots. A packet carries the forecast b_i / (d N_g), and rho_i times the packet that patch i received last. With
+// probability q it arrives at a patch: 1 in a closed room. In units of 1 / (d N_g), and with means <> over the area,
+// from which packets come in equal density, the mean and the mean square of a packet are therefore
+//     M_1 = <b> + q <rho> M_1
+//     M_2 = <b^2> + 2 q <rho b> M_1 + q <rho^2> M_2,
+// and patch j gets the variance q A_j M_2 / (d N_g) (V2). One way, the packets received since patch i last sent are 0,
+// 1, 2, ... with the probabilities 1/2, 1/4, 1/8, ..., which adds 2 q^2 <rho^2> M_1^2 to M_2.
+//
+// What is left out: quasi-random lines leave less of both variances, and the error of the shots is carried on by the
+// walk, spread over so many patches that each of them gets little.
+
+#include "radiosity/paper/measured_ratio.h"
+
+#include "transport/lines/depth_complexity.h"
+#include "transport/lines/line_segments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath {
+
+namespace {
+
+/// Sums over the patches.
+struct PilotSums
+{
+    double rho_squared = 0.0;      ///< [1] of rho^2, one per patch
+    double received = 0.0;         ///< [W/m^2] of rho^2 I / A, with I the power that arrived by rays
+    double unshot = 0.0;           ///< [W/m^2] <b>
+    double unshot_squared = 0.0;   ///< [W^2/m^4] <b^2>
+    double unshot_reflected = 0.0; ///< [W/m^2] <rho b>
+    double mean_rho = 0.0;         ///< [1] <rho>
+    double mean_rho_squared = 0.0; ///< [1] <rho^2>
+};
+
+/// `ray_power` [W]: power of a ray of a pilot with a single pass. What a patch received then has the variance I
+/// ray_power, which is not variance of the light, and is subtracted from <b^2>. After several passes b is at most the
+/// threshold, and nothing is subtracted.
+PilotSums sums_of(const Scene& scene, const PilotShot& pilot, double ray_power)
+{
+    PilotSums sums;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double area = scene.area(i);
+        const double share = area / scene.total_area();
+        const double rho = mean(scene.reflectance(i));
+        const double b = mean(pilot.after.unshot[i]) / area;
+        const double irradiance = mean(pilot.after.incident[i] - pilot.before.incident[i]) / area;
+        const double noise = pilot.passes.size() == 1 ? rho * rho * irradiance * ray_power / area : 0.0;
+        sums.rho_squared += rho * rho;
+        sums.received += rho * rho * irradiance;
+        sums.unshot += share * b;
+        sums.unshot_squared += share * (b * b - noise);
+        sums.unshot_reflected += share * rho * b;
+        sums.mean_rho += share * rho;
+        sums.mean_rho_squared += share * rho * rho;
+    }
+    return sums;
+}
+
+} // namespace
+
+WalkDensity walk_density(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
+                         std::uint64_t first_item, bool bidirectional)
+{
+    constexpr std::uint64_t tried = 1u << 10;
+    constexpr std::uint64_t many = 1u << 30;
+    const LineBlocks plan{
+        scene, global_lines, sequence, first_item, {tried, lines_per_block(crossings_per_line(scene, global_lines))}};
+    SegmentBlock block;
+    std::uint64_t sent = 0;
+    std::uint64_t arrived = 0;
+    for (std::uint64_t number = 0; number < plan.lines.count(); ++number) {
+        block.trace(plan, number);
+        for (const Segment& segment : block.segments) {
+            sent += (Segment::is_patch(segment.from) ? 1 : 0) + (Segment::is_patch(segment.to) ? 1 : 0);
+            arrived += segment.joins_patches() ? 2 : 0;
+        }
+    }
+    const double crossings =
+        global_lines.expected_crossings(1.0, global_lines.lines_to_cast(many)) / static_cast<double>(many); // (G1)
+    return {(bidirectional ? 1.0 : 0.5) * crossings,
+            sent > 0 ? static_cast<double>(arrived) / static_cast<double>(sent) : 1.0, bidirectional};
+}
+
+LineVariances line_variances(const Scene& scene, const PilotShot& pilot, const WalkDensity& walk)
+{
+    double shot = 0.0; // Phi_s [W]
+    double rays = 0.0;
+    for (const ShotPass& pass : pilot.passes) {
+        shot += pass.power;
+        rays += static_cast<double>(pass.lines);
+    }
+    const double q = walk.arriving_share;
+    const PilotSums sums = sums_of(scene, pilot, rays > 0.0 ? shot / rays : 0.0);
+    const double first = sums.unshot / (1.0 - q * sums.mean_rho); // M_1
+    double second = std::max(0.0, sums.unshot_squared) + 2.0 * q * sums.unshot_reflected * first;
+    if (!walk.bidirectional)
+        second += 2.0 * q * q * sums.mean_rho_squared * first * first;
+    second /= 1.0 - q * sums.mean_rho_squared;                         // M_2
+    return {shot * sums.received,                                      // (V1)
+            q * second * sums.rho_squared / walk.departures_per_area}; // (V2)
+}
+
+std::optional<double> best_ratio(const LineVariances& variances)
+{
+    constexpr double most = 1e12;
+    if (!(variances.local > 0.0))
+        return std::nullopt;
+    return variances.local < most * most * variances.global ? std::sqrt(variances.local / variances.global) : most;
+}
+
+} // namespace multipath
