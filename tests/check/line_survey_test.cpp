@@ -22,7 +22,8 @@ TEST_CASE("the surveyed lines agree with integral geometry")
     const SceneReport report = report_on(scene, 100000, 2);
     const double hull_lines = static_cast<double>(report.survey.lines_into_hull);
     CHECK(report.survey.lines == 100000);
-    CHECK(std::abs(hull_lines / 100000 - 22.0 / GlobalLines(scene.bounds()).sphere_area()) < 4 * std::sqrt(0.25 / 100000));
+    CHECK(std::abs(hull_lines / 100000 - 22.0 / GlobalLines(scene.bounds()).sphere_area()) <
+          4 * std::sqrt(0.25 / 100000));
     CHECK(report.figures.intersections == doctest::Approx(2 * (22 + 2 * (0.5 + 0.25 + 0.5)) / 22));
     CHECK(report.intersections_per_hull_line_measured == doctest::Approx(report.figures.intersections).epsilon(0.01));
     CHECK(report.intersections_per_sphere_line_measured ==
