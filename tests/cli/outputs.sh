@@ -137,7 +137,7 @@ check "no input is overwritten, neither by another name nor as a material file" 
 # statement, and two that are missing and would be found next time.
 textures() {
     mkdir textures && cd textures && mkdir maps && sed 's/cube\.mtl/a.mtl/' "$scene" >a.obj &&
-        sed '/^Kd/a map_Kd A.ppm\nmap_Bump maps/bump.ppm\nmap_Ke c:\\old\\Missing.ppm\nmap_d not%5fthere.ppm' "$root/scenes/cube.mtl" >a.mtl || return
+        sed '/^Kd/a map_Kd A.ppm\nmap_Bump maps/bump.ppm\nmap_Ke c:\\old\\Missing.ppm\nmap_d not_there.ppm' "$root/scenes/cube.mtl" >a.mtl || return
     printf 'P3 1 1 255 128 128 128\n' >a.ppm && cp a.ppm maps/bump.ppm && cp a.ppm old && cp a.obj a.csv
     ln -s a.ppm soft.png && ln a.ppm hard.svg
     few="--lines 1000 --patches 100 --size 8x8 --quiet"

@@ -3,7 +3,7 @@
 
 table() {
     ends 0 points --dims 4 --count 10 && silent err && lines_are out 14 && says out "n,x0,x1,x2,x3" &&
-        says out "# command: multipath points --sequence sobol --dims 4 --count 10" && says out "# seed: 1" &&
+        says out "# command: multipath points --dims 4 --count 10" && says out "# seed: 1" &&
         says out "3,0.75,0.25,0.75,0.75"
 }
 check "without -o the points go to stdout as CSV, with where they come from" table
@@ -24,7 +24,7 @@ check "--skip leaves out the first points and no others" skipped
 
 files() {
     ends 0 points --dims 4 --count 100 -o points.csv -o points.svg && silent out && says points.csv "99," &&
-        says points.svg "</svg>" && says points.svg "multipath points --sequence sobol" &&
+        says points.svg "</svg>" && says points.svg "multipath points --dims 4" &&
         [ "$(grep -o h0 points.svg | wc -l)" -eq 600 ]
 }
 check "-o writes a table and a drawing of every pair" files

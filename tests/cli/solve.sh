@@ -389,18 +389,18 @@ gathered() {
 
 usual_lines() {
     ends 0 solve "$scene" --patches 50000 --method local -o usual.csv && ! grep -q "per patch" err &&
-        grep -q "^# command: .* --lines 2^21 " usual.csv || return
+        grep -qE "^# run: method local, sequence sobol, 2[01][0-9]{5} lines, 4" usual.csv || return
     ends 0 solve "$scene" --patches 50000 --method local --lines 2^19 -o few.csv && says err "11 lines per patch" && says err "2^21 gives" || return
-    ends 0 solve "$scene" --patches 400 --method local -o small.csv && grep -q "^# command: .* --lines 2^20 " small.csv
+    ends 0 solve "$scene" --patches 400 --method local -o small.csv && grep -qE "^# run: method local, sequence sobol, 1[01][0-9]{5} lines, " small.csv
 }
 check "large scenes get more lines, and few are told" usual_lines
 
 check "a gathered picture is the same for any number of threads, and unlike an interpolated one" gathered
 
 by_default() {
-    ends 0 solve "$scene" -o default.csv && grep -q "^# command: .* --adaptive " default.csv &&
-        ends 0 solve "$scene" --patches 400 -o equal.csv && ! grep -q "^# command: .*--adaptive" equal.csv &&
-        ends 0 solve "$scene" --patch-size 0.4 -o equal.csv && ! grep -q "^# command: .*--adaptive" equal.csv &&
+    ends 0 solve "$scene" -o default.csv && grep -q "^# run: .* adaptive patches" default.csv &&
+        ends 0 solve "$scene" --patches 400 -o equal.csv && ! grep -q "^# run: .* adaptive" equal.csv &&
+        ends 0 solve "$scene" --patch-size 0.4 -o equal.csv && ! grep -q "^# run: .* adaptive" equal.csv &&
         [ "$(grep -v '^#' equal.csv | cut -d, -f10 | sort -u | wc -l)" -lt "$(grep -v '^#' default.csv | cut -d, -f10 | sort -u | wc -l)" ]
 }
 check "patches are adaptive where no option says how many or how large" by_default

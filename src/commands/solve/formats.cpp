@@ -64,6 +64,16 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
                         camera, options.render);
 }
 
+/// The origin of a result: its provenance, and what the defaults of the command were for this scene.
+std::vector<std::string> origin(const SolveJob& job, const Scene& scene, const Solution& solution)
+{
+    std::vector<std::string> facts = provenance(job.line, scene);
+    facts.push_back("run: method " + std::string(job.options.method->name) + ", sequence " + job.sequence + ", " +
+                    std::to_string(solution.all_lines) + " lines, " + std::to_string(scene.patch_count()) +
+                    (scene.levels().empty() ? "" : " adaptive") + " patches");
+    return facts;
+}
+
 } // namespace
 
 /// A solved scene and the parts of its files, computed when they are first needed; those that several files share are
@@ -74,7 +84,7 @@ public:
     /// `has_view`: some output needs a camera. The references must outlive the object.
     SolvedScene(const SolveJob& job, const Scene& solved, const Solution& result, const std::string& bytes_of_state,
                 bool has_view)
-        : scene(solved), solution(result), state(bytes_of_state), comments(provenance(job.line, solved)), job_(job)
+        : scene(solved), solution(result), state(bytes_of_state), comments(origin(job, solved, result)), job_(job)
     {
         options = has_view ? with_camera(job.pictures, scene, solution.radiosity) : job.pictures;
         if (has_view)
