@@ -1,8 +1,8 @@
-// A state file begins with the description of its run: the options that change the result, as words of a command line,
-// the scene, and the shard. The names of the parts of the run that are in progress follow, and then the arrays of these
-// parts (parallel/run_control.h). A resumed run must have the same description, except that lines, tolerance and time
-// may differ. To resume, the program starts the run again, and every part restores the arrays that are stored under its
-// name.
+// A state file begins with the description of its run: the settings that change the result, by the names of the
+// options, the scene, and the shard. The names of the parts of the run that are in progress follow, and then the arrays
+// of these parts (parallel/run_control.h). A resumed run must have the same description, except that lines, tolerance
+// and time may differ. To resume, the program starts the run again, and every part restores the arrays that are stored
+// under its name.
 
 #include "commands/solve/saved_run.h"
 
@@ -27,6 +27,8 @@
 namespace multipath {
 
 namespace {
+
+constexpr std::string_view scene_key = "scene="; ///< no option has this name
 
 /// The options of `solve` that change its result.
 std::vector<Option> options_with_effect()
@@ -96,7 +98,7 @@ StateOptions read_state_options(const CommandLine& line)
 
 void RunDescription::visit(Archive& archive)
 {
-    archive.texts("arguments", arguments);
+    archive.texts("settings", settings);
     archive.value<std::uint64_t>("share", shard);
     if (shard.of == 0 || shard.number >= shard.of)
         throw ArchiveError("the state is damaged: no such shard");
@@ -106,15 +108,23 @@ void RunDescription::visit(Archive& archive)
 
 RunDescription description_of(const CommandLine& line, const Scene& scene, Shard shard)
 {
-    std::vector<std::string> arguments = line.words(options_with_effect());
-    arguments.insert(arguments.end(), {"--", line.operands()[0]});
-    return {arguments, archived(scene), shard};
+    std::vector<std::string> settings;
+    for (const std::string& word : line.words(options_with_effect()))
+        settings.push_back(word.substr(2)); // without the dashes
+    settings.push_back(std::string(scene_key) + line.operands()[0]);
+    return {settings, archived(scene), shard};
 }
 
 CommandLine command_line_of(const RunDescription& description, const std::vector<std::string>& more_words)
 {
     std::vector<std::string> words = more_words;
-    words.insert(words.end(), description.arguments.begin(), description.arguments.end());
+    std::string file;
+    for (const std::string& setting : description.settings)
+        if (setting.compare(0, scene_key.size(), scene_key) == 0)
+            file = setting.substr(scene_key.size());
+        else
+            words.push_back("--" + setting);
+    words.insert(words.end(), {"--", file});
     return {solve_command().table, words};
 }
 

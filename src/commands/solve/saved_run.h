@@ -35,7 +35,8 @@ StateOptions read_state_options(const CommandLine& line);
 /// Scene, options and shard of a run, as stored at the head of its state file.
 struct RunDescription
 {
-    std::vector<std::string> arguments; ///< words of the `solve` command: options that change the result, and the scene
+    /// "name=value" of each given option of `solve` that changes the result, "name" of a flag, and last "scene=FILE".
+    std::vector<std::string> settings;
     ArchivedScene scene;
     Shard shard;
 
