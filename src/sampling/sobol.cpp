@@ -78,13 +78,11 @@ std::size_t lowest_zero(std::uint64_t n)
 
 /// In the order of Antonov and Saleev successive points differ by one direction number, so that a walk from point to
 /// point takes one exclusive or per coordinate. The bits of the walk are reversed if they are to be scrambled.
+template <bool is_scrambled>
 class SobolSequence final : public Sequence
 {
 public:
-    explicit SobolSequence(const SequenceRequest& request)
-        : kind_(request.kind),
-          dimensions_(request.dimensions),
-          is_scrambled_(request.randomisation == Randomisation::scramble)
+    explicit SobolSequence(const SequenceRequest& request) : kind_(request.kind), dimensions_(request.dimensions)
     {
         for (std::size_t d = 0; d < keys_.size(); ++d)
             keys_[d] = request.random_bits_of(d);
@@ -116,16 +114,15 @@ public:
     }
 
 private:
-    std::uint64_t walking(std::uint64_t bits) const { return is_scrambled_ ? reverse_bits(bits) : bits; }
+    static std::uint64_t walking(std::uint64_t bits) { return is_scrambled ? reverse_bits(bits) : bits; }
     double finished(std::uint64_t bits, std::size_t dimension) const
     {
-        return bits_to_unit(is_scrambled_ ? reverse_bits(scramble_reversed(bits, keys_[dimension]))
-                                          : bits ^ keys_[dimension]);
+        return bits_to_unit(is_scrambled ? reverse_bits(scramble_reversed(bits, keys_[dimension]))
+                                         : bits ^ keys_[dimension]);
     }
 
     std::string kind_;
     int dimensions_;
-    bool is_scrambled_;
     std::array<std::uint64_t, sobol::dimensions> keys_{}; ///< of the scrambling, or the shift of all points
     std::array<std::array<std::uint64_t, 4>, sobol::index_bits> steps_; ///< the first direction numbers, bit by bit
 };
@@ -138,7 +135,9 @@ std::unique_ptr<Sequence> make_sobol_sequence(const SequenceRequest& request)
         throw std::invalid_argument("Sobol's sequence has 6 dimensions here, but " +
                                     std::to_string(request.dimensions) +
                                     " are wanted; halton with that many bases has more");
-    return std::make_unique<SobolSequence>(request);
+    if (request.randomisation == Randomisation::scramble)
+        return std::make_unique<SobolSequence<true>>(request);
+    return std::make_unique<SobolSequence<false>>(request);
 }
 
 } // namespace multipath

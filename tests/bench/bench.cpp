@@ -72,10 +72,10 @@ void compare_maps(const Scene& scene)
     for (const WarpKernel* kernel : available_warp_kernels())
         contestants.push_back({std::string("square to sphere, ") + kernel->name, "points", [=] {
                                    std::vector<Item> square(items.begin(), items.begin() + warp_block);
-                                   std::vector<Vec3> points(warp_block);
+                                   WarpedPoints points;
                                    constexpr int calls = 4000;
                                    for (int k = 0; k < calls; ++k) {
-                                       kernel->uniform_sphere(square.data(), warp_block, 0, points.data());
+                                       kernel->uniform_sphere(square.data(), warp_block, 0, points);
                                        square[k % 256][0] = 0.5 + 0.5 * points[k % 256].z;
                                    }
                                    use(points[0].x);

@@ -115,10 +115,10 @@ void GlobalLines::lines(const Item* items, std::size_t count, Line* lines) const
 
 void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    std::array<Vec3, warp_block> from;
-    std::array<Vec3, warp_block> to;
-    warp_kernel().uniform_sphere(items, count, 0, from.data());
-    warp_kernel().uniform_sphere(items, count, 2, to.data());
+    WarpedPoints from;
+    WarpedPoints to;
+    warp_kernel().uniform_sphere(items, count, 0, from);
+    warp_kernel().uniform_sphere(items, count, 2, to);
     const Vec3 centre = box_.centre();
     for (std::size_t k = 0; k < count; ++k)
         lines[k] = chord(centre + radius_ * rotated(from[k]), centre + radius_ * rotated(to[k]));
@@ -126,8 +126,8 @@ void GlobalLines::sphere_lines(const Item* items, std::size_t count, Line* lines
 
 void GlobalLines::box_lines(const Item* items, std::size_t count, Line* lines) const
 {
-    std::array<Vec3, warp_block> local;
-    warp_kernel().cosine_hemisphere(items, count, 2, local.data());
+    WarpedPoints local;
+    warp_kernel().cosine_hemisphere(items, count, 2, local);
     for (std::size_t k = 0; k < count; ++k)
         lines[k] = box_line(items[k], local[k]);
 }

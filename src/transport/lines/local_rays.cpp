@@ -38,12 +38,12 @@ Line local_line(const Patch& patch, const Item& item)
 
 void local_lines(const Scene& scene, const std::uint32_t* patches, const Item* items, std::size_t count, Line* lines)
 {
-    std::array<Vec3, warp_block> local;
+    WarpedPoints local;
     std::optional<Sender> sender;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lane = k % warp_block;
         if (lane == 0)
-            warp_kernel().cosine_hemisphere(items + k, std::min(warp_block, count - k), 2, local.data());
+            warp_kernel().cosine_hemisphere(items + k, std::min(warp_block, count - k), 2, local);
         if (k == 0 || patches[k] != patches[k - 1])
             sender.emplace(scene.patch(patches[k]));
         lines[k] = sender->ray(items[k], local[lane]);
