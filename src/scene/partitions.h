@@ -15,17 +15,19 @@ struct PartitionCuts
 
 /// Cuts surfaces along the lines on which partitions (opaque surfaces that rise from them) stand or pass through them,
 /// so that no patch lies on both sides of one: radiosity differs there. The pieces, parallelograms where possible and
-/// else triangles, take the place of their surface in the file and keep its material, names, line and texture. To be
-/// called before add_sky(). D is the diagonal of the scene. A surface, or part of one, is cut from border to border
-/// along a line
-/// - of which partitions cover at least D/20, and two fifths of the length that the part has along it, since light goes
-///   round what is shorter, such as a cube;
-/// - above which they rise by more than D/100 on the front of the surface (if `two_sided`, on either side), and to
-/// which
-///   they come closer than D/10,000;
-/// - on both of whose sides the part is wider than D/500.
-/// The largest surfaces come first: if more than 2^26 box tests were necessary, the others are not searched. None is
-/// cut into more than 256 convex parts, or if there would be more than an eighth and 1024 surfaces more than before.
+/// else triangles, take the place of their surface in the file and keep its material, names, line and texture. A line
+/// cuts only the pieces that its contacts reach, but those from border to border. To be called before add_sky(). D is
+/// the diagonal of the scene. A line below partitions counts if
+/// - its longest gapless contact is at least D/20 long, though several surfaces may contribute to it;
+/// - the partition rises by more than D/1000 above the front of the surface (if `two_sided`, above either side), and
+///   comes closer to it than D/10,000;
+/// - it is not one side of a solid as wide as a quarter of the contact or wider: light goes round the foot of a cube
+///   or cupboard;
+/// - on both of its sides the surface is wider than D/500.
+/// Of the two sides of a slim solid only one counts, and none if the solid covers the surface up to its border.
+/// Surfaces smaller than D/64 across are not searched. The largest come first: if 2^26 box tests do not suffice for
+/// all, the others are left whole, each is searched for its 1024 longest contacts, and none is cut into more than 256
+/// convex parts, or if there would be more than an eighth and 1024 surfaces more than before.
 PartitionCuts cut_at_partitions(SceneFile& file, bool two_sided);
 
 } // namespace multipath

@@ -359,6 +359,42 @@ TEST_CASE("the four sides of a room that a sheet divides are cut in two")
     }
 }
 
+// Whatever part of the floor a closet takes, in a corner or in the middle, no patch reaches from it into the room.
+TEST_CASE("below the walls of a sealed closet floor and ceiling are cut, however small it is in the room")
+{
+    constexpr double thick = 0.1;
+    constexpr double closet = 3.0;
+    for (const double size : {6.0, 12.0, 20.0})
+        for (const double from : {0.0, 0.5 * (size - closet)}) {
+            CAPTURE(size);
+            CAPTURE(from);
+            const double to = from + closet;
+            SceneBuilder builder;
+            const std::uint32_t wall = builder.grey(reflectance, 1.0);
+            builder.room({0, 0, 0}, {size, 2.5, size}, wall);
+            builder.box({from, 0, to - thick}, {to, 2.5, to}, wall);
+            builder.box({to - thick, 0, from}, {to, 2.5, to - thick}, wall);
+            if (from > 0.0) {
+                builder.box({from, 0, from}, {to - thick, 2.5, from + thick}, wall);
+                builder.box({from, 0, from + thick}, {from + thick, 2.5, to - thick}, wall);
+            }
+            SceneFile file = builder.file();
+            cut_at_partitions(file, false);
+            const Scene scene(file, 2.0);
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+                bool inside = false;
+                bool outside = false;
+                for (const Vec3 corner : corners_of(scene.patch(i).shape)) {
+                    const double depth = std::min({from > 0.0 ? corner.x - from : closet, to - corner.x,
+                                                   from > 0.0 ? corner.z - from : closet, to - corner.z});
+                    inside = inside || depth > thick + 1e-6;
+                    outside = outside || depth < -1e-6;
+                }
+                CHECK_FALSE((inside && outside));
+            }
+        }
+}
+
 // A cap bounds the number of pieces, and that it left some is told.
 TEST_CASE("very many partitions do not multiply the surfaces without end")
 {
