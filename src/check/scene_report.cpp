@@ -107,12 +107,9 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
     const double tested = static_cast<double>(report.survey.hull_tests) / static_cast<double>(report.survey.lines);
     const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
     report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
-    report.intersections_per_sphere_line_measured = crossings / static_cast<double>(report.survey.lines);
     report.direct = measure_direct_light(scene, lines, threads);
     report.figures = {intersections_of_hull_line(scene, hull), mean(scene.average_reflectance()),
                       report.direct.secondary_reflectance, report.direct.lit_fraction};
-    report.intersections_per_sphere_line =
-        report.figures.intersections * report.hull_area / GlobalLines(scene.bounds()).sphere_area();
     report.ratio_first_shot = optimal_ratio(report.figures);
     report.ratio_extended = optimal_ratio(extended_figures(report.figures));
     report.threshold_radiosity = threshold_radiosity(scene);

@@ -37,11 +37,8 @@ struct SceneReport
 {
     double hull_area = 0.0; ///< [m^2] area of the convex hull of the scene
 
-    // Expected number of intersections of a line, computed and counted. A' is the total area of the surfaces, one side
-    // of each. For lines that meet the hull it is computed as figures.intersections = 2 A' / A_hull (G2).
-    double intersections_per_hull_line_measured = 0.0;   ///< [1] counted along lines; 0 if none met the hull
-    double intersections_per_sphere_line = 0.0;          ///< [1] 2 A' / A_sphere, for chords of the sphere
-    double intersections_per_sphere_line_measured = 0.0; ///< [1] the same counted along chords
+    /// [1] Mean number of intersections of the lines that met the hull; 0 if none did. Expected: figures.intersections.
+    double intersections_per_hull_line_measured = 0.0;
 
     DirectLight direct;                     ///< figures of the direct illumination
     BudgetFigures figures;                  ///< the inputs of (3) for the first shot

@@ -96,8 +96,7 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     text += "  Phi_T  power of the sources      " + power_text(scene.source_power(), scene.file(), 6) + "\n";
     text += format("  n_int  per line through the hull %.4f (measured %.4f)\n", r.figures.intersections,
                    r.intersections_per_hull_line_measured);
-    text += format("  f      share of the area lit     %.4f visible, %.4f effective\n", r.direct.lit_fraction,
-                   r.direct.effective_fraction);
+    text += format("  f      share of the area lit     %.4f visible\n", r.direct.lit_fraction);
     text += format("  R_s'   reflectance of lit area   %.4f\n", r.direct.secondary_reflectance);
     text += "  (3)    N_l / N_g                 " + ratio_text(r.ratio_first_shot) + " first shot, " +
             ratio_text(r.ratio_extended) + " extended" +
@@ -149,7 +148,6 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.number("intersections_hull", r.figures.intersections);
     json.number("intersections_hull_measured", r.intersections_per_hull_line_measured);
     json.number("lit_fraction", r.direct.lit_fraction);
-    json.number("lit_fraction_effective", r.direct.effective_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
     constexpr double null = std::numeric_limits<double>::quiet_NaN(); // written as null
     json.number("ratio_first_shot", r.ratio_first_shot.value_or(null));

@@ -76,8 +76,9 @@ std::optional<std::string> comment_value(const std::vector<std::string>& comment
 
 void append_number(std::string& row, double value)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.17g", value == 0.0 ? 0.0 : value);
+    std::array<char, 32> text = {value == 0.0 ? '0' : '1'};
+    if (value != 0.0 && value != 1.0) // half of a table needs no conversion
+        std::snprintf(text.data(), text.size(), "%.17g", value);
     row += text.data();
 }
 

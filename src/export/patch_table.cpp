@@ -31,41 +31,19 @@ void append(std::string& row, Rgb c)
     append(row, Vec3{c.r, c.g, c.b});
 }
 
-/// A colour or a normal as text, kept for the next row, which often has the same.
-struct KeptText
-{
-    Rgb value;
-    std::string text = {};
-
-    void append_to(std::string& row, Rgb wanted)
-    {
-        if (text.empty() || wanted != value) {
-            value = wanted;
-            text.clear();
-            append(text, wanted);
-        }
-        row += text;
-    }
-};
-
 /// The rows of the patches first ... end - 1.
 std::string rows(const Scene& scene, const std::vector<Rgb>& radiosity, const std::vector<Rgb>& standard_error,
                  std::uint32_t first, std::uint32_t end)
 {
     std::string table;
-    KeptText normal;
-    KeptText reflectance;
-    KeptText emittance;
     for (std::uint32_t i = first; i < end; ++i) {
         const Patch patch = scene.patch(i);
         table += std::to_string(i) + "," + std::to_string(patch.surface) + "," + csv_field(scene.material_of(i).name);
         append(table, patch.shape.centre());
-        const Vec3 n = patch.shape.normal();
-        normal.append_to(table, {n.x, n.y, n.z});
+        append(table, patch.shape.normal());
         append(table, scene.is_sky(patch.surface) ? 0.0 : scene.area(i));
-        reflectance.append_to(table, scene.reflectance(i));
-        emittance.append_to(table, scene.emittance(i));
-        append(table, radiosity[i]);
+        for (const Rgb colour : {scene.reflectance(i), scene.emittance(i), radiosity[i]})
+            append(table, colour);
         if (!standard_error.empty())
             append(table, standard_error[i]);
         table += "\n";

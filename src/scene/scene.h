@@ -128,7 +128,6 @@ public:
     double own_area() const { return own_area_; }     ///< [m^2] of all sides with patches, without the sky
     double total_area() const { return total_area_; } ///< [m^2] A_T, of all sides with patches, with the sky
     Rgb lamp_power() const { return lamp_power_; }    ///< [W] emitted by surfaces without the sky
-    Rgb sky_power() const { return sky_power_; }      ///< [W] emitted by the sky, most of it towards the sky
     Rgb sun_power() const { return sun_power_; }      ///< [W] sunlight that arrives
     /// [W] Phi_T: the power of lamps and sky, and the sunlight that arrives.
     Rgb source_power() const { return lamp_power_ + sky_power_ + sun_power_; }

@@ -72,25 +72,11 @@ struct PlottedCurve
 constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
 constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
 
-/// Least ratio of the longest to the shortest time for a fit. If the preparation of a run takes most of the time, all
-/// points have nearly the same abscissa and the slope is meaningless.
-constexpr double least_span_of_seconds = 4.0;
-
-std::optional<PowerLaw> law_of(const Curve& curve, Abscissa against)
-{
-    if (against == Abscissa::lines)
-        return curve.law;
-    Extent seconds;
-    for (const CurvePoint& point : curve.points)
-        if (point.above_reference && point.seconds > 0.0 && point.relative > 0.0)
-            seconds.include(point.seconds);
-    return seconds.high < least_span_of_seconds * seconds.low ? std::nullopt : fit(curve.points, against);
-}
-
 /// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
 PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
 {
-    PlottedCurve result{svg_series_mark(series), {}, law_of(curve, against)};
+    PlottedCurve result{
+        svg_series_mark(series), {}, against == Abscissa::lines ? curve.law : fit(curve.points, against)};
     Extent fitted; // across
     for (const CurvePoint& point : curve.points) {
         const double x = abscissa(point, against);

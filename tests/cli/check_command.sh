@@ -10,7 +10,7 @@ check "a sound scene is reported with exit code 0" report
 
 json() {
     ends 0 check "$scene" --lines 20000 --json && silent err && for key in average_reflectance intersections_hull \
-        intersections_hull_measured lit_fraction lit_fraction_effective secondary_reflectance \
+        intersections_hull_measured lit_fraction secondary_reflectance \
         ratio_first_shot ratio_extended threshold_radiosity escaped_share back_face_share emitters findings; do
         says out "\"$key\":" || return
     done

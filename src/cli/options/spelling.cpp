@@ -3,29 +3,27 @@
 #include "base/text_format.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 
 namespace multipath {
 
 namespace {
 
-/// Optimal string alignment distance: fewest insertions, deletions, replacements and swaps of neighbours that turn one
-/// word into the other.
+/// Levenshtein's distance: fewest insertions, deletions and replacements of letters that turn one word into the other.
 std::size_t edit_distance(std::string_view from, std::string_view to)
 {
-    // distance[i][j]: that of the first i letters of the one word from the first j of the other
-    std::vector<std::vector<std::size_t>> distance(from.size() + 1, std::vector<std::size_t>(to.size() + 1));
-    for (std::size_t i = 0; i <= from.size(); ++i)
-        for (std::size_t j = 0; j <= to.size(); ++j) {
-            std::size_t& least = distance[i][j] = i + j;
-            if (i == 0 || j == 0)
-                continue;
-            const std::size_t replacement = from[i - 1] == to[j - 1] ? 0 : 1;
-            least = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1, distance[i - 1][j - 1] + replacement});
-            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
-                least = std::min(least, distance[i - 2][j - 2] + 1);
+    std::vector<std::size_t> distances(to.size() + 1); // of the letters of `from` so far, from the first j of `to`
+    std::iota(distances.begin(), distances.end(), std::size_t{0});
+    for (const char letter : from) {
+        std::size_t before = distances[0]++; // of one letter less of both
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t replaced = before + (letter == to[j] ? 0 : 1);
+            before = distances[j + 1];
+            distances[j + 1] = std::min({distances[j] + 1, before + 1, replaced});
         }
-    return distance.back().back();
+    }
+    return distances.back();
 }
 
 /// The word without leading dashes and in lower case: neither counts as a misspelling.
@@ -39,16 +37,12 @@ std::string bare(std::string_view word)
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates)
 {
     const std::string typed = bare(word);
-    if (typed.empty())
-        return "";
-    std::size_t smallest = std::max<std::size_t>(1, typed.size() / 3) + 1; // at most a third of the letters wrong
+    std::size_t smallest = std::max<std::size_t>(1, (typed.size() + 1) / 3) + 1; // a third of the letters may be wrong
     std::string nearest;
     for (const std::string& candidate : candidates) {
         const std::string wanted = bare(candidate);
         const bool unfinished = typed.size() >= 2 && wanted.compare(0, typed.size(), typed) == 0;
-        const std::size_t distance =
-            unfinished ? std::min<std::size_t>(1, wanted.size() - typed.size()) : edit_distance(typed, wanted);
-        if (distance < smallest) {
+        if (const std::size_t distance = unfinished ? 1 : edit_distance(typed, wanted); distance < smallest) {
             smallest = distance;
             nearest = candidate;
         }

@@ -168,18 +168,13 @@ DirectLight measure_direct_light(const Scene& scene, std::uint64_t most_rays, in
 
     double received = 0.0;  // [W]
     double reflected = 0.0; // [W]
-    double squares = 0.0;   // sum of A b^2 [W^2/m^2]
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double power = mean(state.incident[i]);
-        const double sent_on = mean(scene.reflectance(i) * state.incident[i]);
-        received += power;
-        reflected += sent_on;
-        squares += sent_on * sent_on / scene.area(i);
+        received += mean(state.incident[i]);
+        reflected += mean(scene.reflectance(i) * state.incident[i]);
     }
     DirectLight result;
     result.lit_fraction = lit_area(scene, most_rays, threads) / scene.total_area();
     result.secondary_reflectance = received > 0.0 ? reflected / received : 0.0;
-    result.effective_fraction = squares > 0.0 ? reflected * reflected / (scene.total_area() * squares) : 0.0;
     return result;
 }
 

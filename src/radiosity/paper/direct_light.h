@@ -12,8 +12,6 @@ namespace multipath {
 struct DirectLight
 {
     double lit_fraction = 0.0; ///< [1] f: area of the patches that receive any direct light, over A_T
-    /// [1] (sum of A b)^2 / (A_T sum of A b^2), with b the direct radiosity that a patch of area A reflects.
-    double effective_fraction = 0.0;
     /// [1] R_s': mean reflectance of the lit patches, weighted by the power that they receive from the sources.
     double secondary_reflectance = 0.0;
 };

@@ -38,7 +38,7 @@ std::optional<double> measured_ratio(const Scene& scene, const SolveOptions& opt
     const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
     // With less than a ray for each patch the passes would shoot nearly everything, and leave little to the walk.
     const std::uint64_t rays =
-        std::clamp<std::uint64_t>(options.lines / 16, 1, std::max<std::uint64_t>(4096, 2 * scene.patch_count()));
+        std::clamp<std::uint64_t>(options.lines / 16, 1, std::max<std::uint64_t>(4096, 2ull * scene.patch_count()));
     PilotShot pilot{PowerState(scene), PowerState(scene), {}};
     pilot.passes =
         shoot_pilot(scene, *sequence, options.skip, shot_options(scene, options), rays, options.threads, pilot.after);

@@ -40,19 +40,22 @@ struct PilotSums
     double mean_rho_squared = 0.0; ///< [1] <rho^2>
 };
 
-/// `ray_power` [W]: power of a ray of a pilot with a single pass. What a patch received then has the variance I
-/// ray_power, which is not variance of the light, and is subtracted from <b^2>. After several passes b is at most the
-/// threshold, and nothing is subtracted.
-PilotSums sums_of(const Scene& scene, const PilotShot& pilot, double ray_power)
+/// What a patch received by a single pass, in rays of equal power, has a variance of I times this power, which is not
+/// one of the light, and is subtracted from <b^2>. After several passes b is at most the threshold: nothing is
+/// subtracted.
+PilotSums sums_of(const Scene& scene, const PilotShot& pilot)
 {
     PilotSums sums;
+    const bool is_single = pilot.passes.size() == 1;
+    const double ray_power =
+        is_single ? pilot.passes[0].power / static_cast<double>(pilot.passes[0].lines) : 0.0; // [W]
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double area = scene.area(i);
         const double share = area / scene.total_area();
         const double rho = mean(scene.reflectance(i));
         const double b = mean(pilot.after.unshot[i]) / area;
         const double irradiance = mean(pilot.after.incident[i] - pilot.before.incident[i]) / area;
-        const double noise = pilot.passes.size() == 1 ? rho * rho * irradiance * ray_power / area : 0.0;
+        const double noise = rho * rho * irradiance * ray_power / area;
         sums.rho_squared += rho * rho;
         sums.received += rho * rho * irradiance;
         sums.unshot += share * b;
@@ -92,13 +95,10 @@ WalkDensity walk_density(const Scene& scene, const GlobalLines& global_lines, co
 LineVariances line_variances(const Scene& scene, const PilotShot& pilot, const WalkDensity& walk)
 {
     double shot = 0.0; // Phi_s [W]
-    double rays = 0.0;
-    for (const ShotPass& pass : pilot.passes) {
+    for (const ShotPass& pass : pilot.passes)
         shot += pass.power;
-        rays += static_cast<double>(pass.lines);
-    }
     const double q = walk.arriving_share;
-    const PilotSums sums = sums_of(scene, pilot, rays > 0.0 ? shot / rays : 0.0);
+    const PilotSums sums = sums_of(scene, pilot);
     const double first = sums.unshot / (1.0 - q * sums.mean_rho); // M_1
     double second = std::max(0.0, sums.unshot_squared) + 2.0 * q * sums.unshot_reflected * first;
     if (!walk.bidirectional)

@@ -161,7 +161,7 @@ bool faces_are_piled_up(const Scene& scene)
         const auto i = static_cast<std::uint32_t>(k * scene.patch_count() / trials);
         faces += scene.intersector().coincident_surfaces(scene.surface_of(i), scene.patch(i).shape.centre()).size();
     }
-    return faces >= 16 * trials;
+    return faces >= std::uint64_t{16} * trials;
 }
 
 /// Makes a table of all pairs where it pays and fits into memory; otherwise prepares the lights. There is no table

@@ -101,9 +101,6 @@ TEST_CASE("the direct light of a ceiling lamp is measured")
     const double reflectance = 0.9 * f + 0.3 * (1 - f);
     CHECK(light.secondary_reflectance ==
           doctest::Approx(reflectance).epsilon(0.002)); // 100,000 rays: 0.2 % is > 4 sigma
-    const double walls = 0.3 * (1 - f) / 4;
-    const double squares = 0.9 * f * 0.9 * f + 4 * walls * walls;
-    CHECK(light.effective_fraction == doctest::Approx(reflectance * reflectance / (6 * squares)).epsilon(0.01));
 }
 
 // 7,500 tiles of 0.005 m^2 that face a small lamp and 7,500 of 0.05 m^2 that face away: more than are looked at one by
