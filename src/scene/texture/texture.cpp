@@ -4,8 +4,9 @@
 //   integral of T over P = integral of S dt around P.
 //
 // T is constant within a pixel, so S is linear in s there, and along the part of an edge that lies in one pixel the
-// midpoint rule is exact. S follows from prefix sums along each row, which are stored for every 4th pixel. Linear light
-// is counted in whole units of 1/65535, so sums are exact, and the same on every machine.
+// midpoint rule is exact. S follows from prefix sums along each row, which are stored for every 4th pixel. Along an
+// upright edge, as most patches have, the rows add up to differences of a summed-area table (Crow 1984), stored for
+// every 8th row. Linear light is counted in whole units of 1/65535, so sums are exact, and the same on every machine.
 
 #include "scene/texture/texture.h"
 
@@ -110,23 +111,48 @@ Texture::Texture(std::string name, std::string bytes, bool repeats)
     }
     const double scale = unit / (static_cast<double>(bitmap_.width) * bitmap_.height);
     mean_ = {scale * all[0], scale * all[1], scale * all[2]};
+    add_up_columns();
 }
 
-/// The column or row of the image, of `size`, that shows at x, which may lie outside.
-std::int64_t Texture::shown_at(std::int64_t x, std::int64_t size) const
+void Texture::add_up_columns()
 {
-    return repeats_ ? remainder(x, size) : std::clamp<std::int64_t>(x, 0, size - 1);
+    const std::size_t blocks = bitmap_.height / std::size_t{rows_per_block} + 1;
+    below_.assign((std::size_t{bitmap_.width} + 1) * blocks, Sums{});
+    std::vector<Sums> sums(std::size_t{bitmap_.width} + 1); // of the rows so far, before each column
+    for (std::uint32_t y = 0; y < bitmap_.height; ++y) {
+        const std::uint8_t* rgb = bitmap_.row(bitmap_.height - 1 - y);
+        Sums before{};
+        for (std::size_t x = 0; x <= bitmap_.width; ++x, rgb += 3) {
+            if (y % rows_per_block == 0)
+                below_[x * blocks + y / rows_per_block] = sums[x];
+            for (std::size_t c = 0; c < 3; ++c) {
+                sums[x][c] += before[c];
+                before[c] += x < bitmap_.width ? linear_of_srgb[rgb[c]] : 0;
+            }
+        }
+    }
+    if (bitmap_.height % rows_per_block == 0)
+        for (std::size_t x = 0; x <= bitmap_.width; ++x)
+            below_[x * blocks + blocks - 1] = sums[x];
+}
+
+std::int64_t Texture::column(std::int64_t x) const
+{
+    const std::int64_t width = bitmap_.width;
+    return repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width - 1);
 }
 
 /// The row of the bitmap, whose first row is at the top, for a row counted from the bottom.
 std::uint32_t Texture::row(std::int64_t y) const
 {
-    return static_cast<std::uint32_t>(bitmap_.height - 1 - shown_at(y, bitmap_.height));
+    const std::int64_t height = bitmap_.height;
+    const std::int64_t from_below = repeats_ ? remainder(y, height) : std::clamp<std::int64_t>(y, 0, height - 1);
+    return static_cast<std::uint32_t>(height - 1 - from_below);
 }
 
 const std::uint8_t* Texture::pixel(std::int64_t x, std::int64_t y) const
 {
-    return bitmap_.row(row(y)) + 3 * shown_at(x, bitmap_.width);
+    return bitmap_.row(row(y)) + 3 * column(x);
 }
 
 /// The sums of the pixels 0 ... end - 1 of a row, with end from 0 to the width.
@@ -156,10 +182,52 @@ Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
     return sums;
 }
 
+/// The sums of the pixels in columns 0 ... x - 1 and rows 0 ... y - 1, counted from below, of the image itself.
+Texture::Sums Texture::sums_of_corner(std::int64_t x, std::int64_t y) const
+{
+    const std::int64_t blocks = bitmap_.height / rows_per_block + 1;
+    Sums sums = below_[static_cast<std::size_t>(x * blocks + y / rows_per_block)];
+    for (std::int64_t k = y / rows_per_block * rows_per_block; k < y; ++k)
+        add(sums, 1, sums_within(x, row(k)));
+    return sums;
+}
+
+/// The same for any x and y, of the image as it continues outside. The sums are then a bilinear function of the number
+/// of whole images, or of copies of the border, in both directions.
+Texture::Sums Texture::sums_below(std::int64_t x, std::int64_t y) const
+{
+    struct Place
+    {
+        std::int64_t inside, periods, from, to; ///< a period, or a pixel at the border, is [from, to)
+    };
+    const auto place = [&](std::int64_t at, std::int64_t size) -> Place {
+        if (repeats_)
+            return {remainder(at, size), (at - remainder(at, size)) / size, 0, size};
+        const std::int64_t inside = std::clamp<std::int64_t>(at, 0, size);
+        return {inside, at - inside, at < 0 ? 0 : size - 1, at < 0 ? 1 : size};
+    };
+    const Place h = place(x, bitmap_.width);
+    const Place v = place(y, bitmap_.height);
+    const auto in_columns = [&](std::int64_t end) {
+        Sums sums = sums_of_corner(end, v.inside);
+        if (v.periods != 0) {
+            add(sums, v.periods, sums_of_corner(end, v.to));
+            add(sums, -v.periods, sums_of_corner(end, v.from));
+        }
+        return sums;
+    };
+    Sums sums = in_columns(h.inside);
+    if (h.periods != 0) {
+        add(sums, h.periods, in_columns(h.to));
+        add(sums, -h.periods, in_columns(h.from));
+    }
+    return sums;
+}
+
 /// Linear light of a pixel, which may lie outside the image, in a row of the bitmap.
 Texture::Sums Texture::light(std::int64_t x, std::uint32_t row) const
 {
-    const auto inside = static_cast<std::size_t>(shown_at(x, bitmap_.width));
+    const auto inside = static_cast<std::size_t>(column(x));
     const Strip& strip = strips_[inside / Strip::width * bitmap_.height + row];
     const std::uint8_t* rgb = &strip.rgb[3 * (inside % Strip::width)];
     return {linear_of_srgb[rgb[0]], linear_of_srgb[rgb[1]], linear_of_srgb[rgb[2]]};
@@ -170,22 +238,47 @@ Texture::Sums Texture::light(std::int64_t x, std::uint32_t row) const
 void Texture::integrate(TexturePoint from, TexturePoint to, std::int64_t first_column,
                         std::array<double, 3>& sums) const
 {
-    const double height = bitmap_.height;
-    const double periods = repeats_ && from.s == to.s ? std::trunc((to.t - from.t) / height) : 0.0;
-    if (std::abs(periods) > 1.0) { // all alike along an upright edge
-        std::array<double, 3> period{};
-        integrate_rows(from, {from.s, from.t + height}, first_column, period);
-        for (std::size_t c = 0; c < 3; ++c)
-            sums[c] += periods * period[c];
-        from.t += periods * height;
-    }
-    if (from.t != to.t)
-        integrate_rows(from, to, first_column, sums);
+    constexpr double many_rows = 16.0;
+    constexpr double far = 0x1p20; // sums of so many pixels in both directions fit into 64 bits
+    if (from.s == to.s && std::abs(to.t - from.t) >= many_rows && std::abs(from.s) < far && std::abs(from.t) < far &&
+        std::abs(to.t) < far)
+        integrate_upright(from.s, from.t, to.t, first_column, sums);
+    else if (from.t != to.t)
+        integrate_slanted(from, to, first_column, sums);
 }
 
-/// Row by row, and within a row pixel by pixel.
-void Texture::integrate_rows(TexturePoint from, TexturePoint to, std::int64_t first_column,
-                             std::array<double, 3>& sums) const
+/// An edge along which s is constant: S is constant within a row, and differences of sums_below() add up its rows.
+void Texture::integrate_upright(double s, double from_t, double to_t, std::int64_t first_column,
+                                std::array<double, 3>& sums) const
+{
+    const auto x = static_cast<std::int64_t>(std::floor(s));
+    const double within = s - static_cast<double>(x);
+    const auto first = static_cast<std::int64_t>(std::floor(from_t));
+    const auto last = static_cast<std::int64_t>(std::floor(to_t));
+    const auto add_part_of_row = [&](std::int64_t y, double height) { // [rows]
+        Sums before = sums_before(x, row(y));
+        add(before, -1, sums_before(first_column, row(y)));
+        const Sums under = light(x, row(y));
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] += height * (static_cast<double>(before[c]) + within * static_cast<double>(under[c]));
+    };
+    const auto add_whole_rows = [&](std::int64_t column, double factor) {
+        Sums rows = sums_below(column, last);
+        add(rows, -1, sums_below(first_column, last));
+        add(rows, -1, sums_below(column, first));
+        add(rows, 1, sums_below(first_column, first));
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] += factor * static_cast<double>(rows[c]);
+    };
+    add_whole_rows(x, 1.0 - within);
+    add_whole_rows(x + 1, within);
+    add_part_of_row(last, to_t - static_cast<double>(last));
+    add_part_of_row(first, static_cast<double>(first) - from_t);
+}
+
+/// Any edge, row by row, and within a row pixel by pixel.
+void Texture::integrate_slanted(TexturePoint from, TexturePoint to, std::int64_t first_column,
+                                std::array<double, 3>& sums) const
 {
     const double ds = to.s - from.s;
     const double dt = to.t - from.t;
@@ -235,8 +328,11 @@ Rgb Texture::mean(TexturePolygon p) const
     const double shift_s = repeats_ ? std::floor(p[0].s) : 0.0;
     const double shift_t = repeats_ ? std::floor(p[0].t) : 0.0;
     double length = 0.0;
-    for (TexturePoint& corner : p)
+    double farthest = 0.0;
+    for (TexturePoint& corner : p) {
         corner = {width * (corner.s - shift_s), height * (corner.t - shift_t)};
+        farthest = std::max({farthest, std::abs(corner.s), std::abs(corner.t)});
+    }
     double least = p[0].s;
     TexturePoint before = p.back();
     for (const TexturePoint corner : p) {
@@ -246,7 +342,7 @@ Rgb Texture::mean(TexturePolygon p) const
     }
     constexpr double too_long = 1e6; // [pixels] along the border: the mean of so many is that of the texture
     constexpr double too_far = 1e13; // [pixels] from a texture that does not repeat: sums have 64 bits
-    if (!(length < too_long && std::max(std::abs(p[0].s), std::abs(p[0].t)) < too_far))
+    if (!(length < too_long && farthest < too_far))
         return mean_;
     const double area = area_of(p);
     constexpr double no_area = 1e-9; // [pixels]

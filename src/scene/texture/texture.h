@@ -68,9 +68,9 @@ public:
 
     Rgb mean() const { return mean_; } ///< [1] over the whole image
     /// [1] The mean over a polygon: exact, by Green's theorem, in time proportional to the number of pixels along its
-    /// border; an upright edge on an image that repeats counts for two images at most. For a polygon without area it is
-    /// the pixel at the middle of the corners. For a border of 10^6 pixels or more, or 10^13 pixels away from an image
-    /// that does not repeat, it is the mean of the whole image.
+    /// border; upright edges count for no more than 16. For a polygon without area it is the pixel at the middle of the
+    /// corners. For a border of 10^6 pixels or more, or 10^13 pixels away from an image that does not repeat, it is the
+    /// mean of the whole image.
     Rgb mean(TexturePolygon polygon) const;
     /// [1] The colour at a point, interpolated bilinearly between the centres of four pixels.
     Rgb at(TexturePoint point) const;
@@ -87,15 +87,20 @@ private:
         std::array<std::uint8_t, 3 * width> rgb; ///< unset beyond the border of the image
     };
 
-    std::int64_t shown_at(std::int64_t x, std::int64_t size) const;
+    std::int64_t column(std::int64_t x) const;
     std::uint32_t row(std::int64_t y) const;
     const std::uint8_t* pixel(std::int64_t x, std::int64_t y) const;
     Sums sums_within(std::int64_t end, std::uint32_t row) const;
     Sums sums_before(std::int64_t x, std::uint32_t row) const;
+    Sums sums_of_corner(std::int64_t x, std::int64_t y) const;
+    Sums sums_below(std::int64_t x, std::int64_t y) const;
     Sums light(std::int64_t x, std::uint32_t row) const;
+    void add_up_columns();
     void integrate(TexturePoint from, TexturePoint to, std::int64_t first_column, std::array<double, 3>& sums) const;
-    void integrate_rows(TexturePoint from, TexturePoint to, std::int64_t first_column,
-                        std::array<double, 3>& sums) const;
+    void integrate_upright(double s, double from_t, double to_t, std::int64_t first_column,
+                           std::array<double, 3>& sums) const;
+    void integrate_slanted(TexturePoint from, TexturePoint to, std::int64_t first_column,
+                           std::array<double, 3>& sums) const;
 
     std::string name_;
     std::string bytes_;
@@ -104,6 +109,10 @@ private:
     std::uint64_t hash_ = 0;
     /// The strips of all rows, from the top, one below the other: edges of patches cross many rows.
     std::vector<Strip> strips_;
+    static constexpr std::int64_t rows_per_block = 8;
+    /// Sums of all pixels below and to the left of column x = 0 ... width and row y = 0, 8, 16, ... from below, column
+    /// by column.
+    std::vector<Sums> below_;
     Rgb mean_;
 };
 
