@@ -50,9 +50,17 @@ std::vector<LeavingLines> leaving_lines(const PairCounts& counts)
     return result;
 }
 
+std::vector<LeavingLines> sums_over(const PatchBlocks& blocks, const std::vector<LeavingLines>& lines)
+{
+    std::vector<LeavingLines> sums(blocks.count);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        sums[blocks.block_of[i]] += lines[i];
+    return sums;
+}
+
 /// The losses of every patch: its area times the fraction of the lines leaving it that reach no patch. With the weight
-/// of one line each, the whole scene is the prior of the side of a surface, and the side that of the patch (empirical
-/// Bayes), but no less than the patches in front cannot fill without obstacles.
+/// of one line each, the whole scene is the prior of the side of a surface, the side that of a block of patches, and
+/// the block that of the patch (empirical Bayes), but no less than the patches in front cannot fill without obstacles.
 /// What share of them is lost behind surfaces has the side's as its prior.
 /// Sets `variance` [m^4] to that of the losses, which the patches around and the estimated exchange predict: by its own
 /// lines, a loss that is too large by chance would look certain. It is 0 if the scene has lost no line. `in_sight` and
@@ -60,15 +68,16 @@ std::vector<LeavingLines> leaving_lines(const PairCounts& counts)
 ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::vector<double>& in_sight,
                       const std::vector<double>& joined, std::vector<double>& variance)
 {
-    constexpr double inexact = 1e-3; // of sums of exchange areas
+    constexpr double inexact = 1e-3;          // of sums of exchange areas
+    constexpr std::uint32_t cells_around = 4; // along an edge of a block
     const std::vector<LeavingLines> lines = leaving_lines(counts);
     const PatchBlocks sides = surface_blocks(scene);
-    std::vector<LeavingLines> of_sides(sides.count);
+    const PatchBlocks blocks = patch_blocks(scene, cells_around);
+    const std::vector<LeavingLines> of_sides = sums_over(sides, lines);
+    const std::vector<LeavingLines> of_blocks = sums_over(blocks, lines);
     LeavingLines all;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        of_sides[sides.block_of[i]] += lines[i];
-        all += lines[i];
-    }
+    for (const LeavingLines& patch : lines)
+        all += patch;
     const auto lost_without = [](const LeavingLines& whole, const LeavingLines& part, double prior) {
         return (whole.lost - part.lost + prior) / (whole.all - part.all + 1.0);
     };
@@ -81,7 +90,8 @@ ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::v
         const double area = scene.area(i);
         const double unfilled = 1.0 - in_sight[i] / area;
         const double least = unfilled > inexact ? unfilled : 0.0;
-        const double around = std::max(least, lost_without(side, own, overall));
+        const double around =
+            std::max(least, lost_without(of_blocks[blocks.block_of[i]], own, lost_without(side, own, overall)));
         const double lost = lost_without(own, {}, around);
         const double behind = (own.behind + quotient(side.behind, side.lost)) / (own.lost + 1.0);
         result.behind[i] = area * lost * behind;
@@ -221,11 +231,23 @@ std::uint64_t reuse_lines(const Scene& scene, const std::shared_future<PairMatri
         return lines_cast;
     close_rows(scene, unoccluded.get(), run.threads, counted);
 
-    const DenseExchange exchange(counted.estimate.exchange, counted.losses, scene.areas(), run.threads);
-    const ExchangeSolution solution = solve_exchange(exchange, rho, source, counted.first_guess, run.threads); // (R1)
-    if (!solution.converged)
+    const auto solved = [&](const Field& first_guess) {
+        const DenseExchange exchange(counted.estimate.exchange, counted.losses, scene.areas(), run.threads);
+        const ExchangeSolution solution = solve_exchange(exchange, rho, source, first_guess, run.threads); // (R1)
+        if (solution.converged)
+            distribute(scene, exchange, solution.radiosity, 1.0, run.threads, state);
+        return solution.converged;
+    };
+    if (solved(counted.first_guess))
+        return lines_cast;
+    // Without negative estimates the errors of the row sums become self-exchange, so that the diagonal dominates every
+    // row and a solution exists, however large the noise is.
+    PairMatrix<float>& pairs = counted.estimate.exchange;
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+            pairs.at(i, j) = std::max(pairs.at(i, j), 0.0f);
+    if (!solved(source))
         throw no_solution(scene);
-    distribute(scene, exchange, solution.radiosity, 1.0, run.threads, state);
     return lines_cast;
 }
 

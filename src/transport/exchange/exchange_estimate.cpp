@@ -1,5 +1,6 @@
 #include "transport/exchange/exchange_estimate.h"
 
+#include "base/disjoint_sets.h"
 #include "parallel/blocks.h"
 
 #include <algorithm>
@@ -125,6 +126,24 @@ BlockLevel::BlockLevel(PatchBlocks patch_blocks, const BlockLevel& finer) : Bloc
             counts.at(parent[a], parent[b]) += finer.counts.at(a, b);
 }
 
+/// One block for all sides of surfaces that lines have joined with each other, directly or through others: what lies in
+/// one space. The lines between two spaces, none of which was free, tell most about pairs that few lines have passed.
+PatchBlocks joined_spaces(const BlockLevel& sides)
+{
+    DisjointSets spaces(sides.blocks.count);
+    for (std::uint32_t a = 0; a < sides.blocks.count; ++a)
+        for (std::uint32_t b = 0; b < a; ++b)
+            if (sides.counts.at(a, b).joined > 0.0)
+                spaces.unite(a, b);
+    std::vector<std::uint32_t> number(sides.blocks.count);
+    PatchBlocks result;
+    for (std::uint32_t a = 0; a < sides.blocks.count; ++a)
+        number[a] = spaces.root(a) == a ? result.count++ : number[spaces.root(a)];
+    for (const std::uint32_t side : sides.blocks.block_of)
+        result.block_of.push_back(number[side]);
+    return result;
+}
+
 /// Estimated share of free lines between blocks: the posterior mean, with prior(a, b) weighted like prior_lines lines.
 template <class Prior>
 PairMatrix<double> shares(const BlockLevel& level, const Prior& prior)
@@ -152,7 +171,12 @@ PairMatrix<double> shrunk_shares(const BlockLevel& fine, const BlockLevel& middl
             return share.at(parent[a], parent[b]);
         };
     };
-    const PairMatrix<double> by_surface = shares(coarse, [&](std::uint32_t, std::uint32_t) { return overall; });
+    const BlockLevel spaces(joined_spaces(coarse), coarse);
+    const PairMatrix<double> by_space = shares(spaces, [&](std::uint32_t, std::uint32_t) { return overall; });
+    const std::vector<std::uint32_t> space = parent_blocks(coarse.blocks, spaces.blocks);
+    const PairMatrix<double> by_surface = shares(coarse, [&](std::uint32_t a, std::uint32_t b) {
+        return space[a] == space[b] ? overall : by_space.at(space[a], space[b]);
+    });
     const PairMatrix<double> by_middle = shares(middle, prior_from(middle.blocks, coarse.blocks, by_surface));
     return shares(fine, prior_from(fine.blocks, middle.blocks, by_middle));
 }
@@ -179,7 +203,7 @@ double trust(double lines_across)
 double estimation_bytes(const Scene& scene)
 {
     double pairs = 0.0;
-    for (const std::uint32_t cells : {fine_cells, middle_cells, whole_surface}) {
+    for (const std::uint32_t cells : {fine_cells, middle_cells, whole_surface, whole_surface}) {
         double blocks = 0.0; // that patch_blocks(scene, cells) makes
         for (std::uint32_t surface = 0; surface < scene.surfaces().size(); ++surface)
             blocks += (scene.two_sided() ? 2.0 : 1.0) * blocks_in_surface(scene.tessellation(surface), cells);

@@ -283,9 +283,9 @@ TEST_CASE("the share of a pair is told by the lines of the other pairs")
 }
 
 // A patch that 16 lines cross is trusted by half, one that 32 cross by 16/17, so that of what a pair of them found,
-// beyond what its block lets expect, 8/17 counts. The only line was not free: with one line more, that stands for the
-// next larger blocks, the share of the whole scene is 1/2, of the surfaces 1/4 and of the middle blocks 1/8, which is
-// left without the pair's own.
+// beyond what its block lets expect, 8/17 counts. The only line was not free, so the surfaces are in two spaces: with
+// one line more, that stands for the next larger blocks, the share of the whole scene is 1/2, of the spaces 1/4, of the
+// surfaces 1/8 and of the middle blocks 1/16, which is left without the pair's own.
 TEST_CASE("what patches found that few lines cross counts in part")
 {
     for (const double other_width : {1.0, 2.0})
@@ -305,7 +305,7 @@ TEST_CASE("what patches found that few lines cross counts in part")
             const auto g = static_cast<double>(problem.unoccluded.at(1, 0));
             const double trusted = 0.5 * (other_width == 1.0 ? 0.5 : 16.0 / 17.0);
             CHECK(static_cast<double>(estimate.exchange.at(1, 0)) ==
-                  doctest::Approx((g - trusted * crossing_area) / 8.0).epsilon(1e-6).scale(0.0)); // single precision
+                  doctest::Approx((g - trusted * crossing_area) / 16.0).epsilon(1e-6).scale(0.0)); // single precision
         }
 }
 
