@@ -1,7 +1,7 @@
 // Where all that emits and reflects is alike every patch has the same light, whatever the shape: any loss shows, above
 // all where solids touch. "Within 4 standard errors": see laws_test.cpp.
 
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shot_rays.h"
 #include "seeded_runs.h"
 #include "test_scenes.h"
 

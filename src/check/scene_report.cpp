@@ -20,7 +20,7 @@ namespace {
 LineSurvey empty_survey(const Scene& scene)
 {
     const std::vector<std::uint64_t> zeros(scene.surfaces().size(), 0);
-    return {0, 0, 0, 0, zeros, zeros, zeros};
+    return {0, 0, zeros, zeros, zeros};
 }
 
 /// Counts the fate of light that leaves the surface of hit `from` towards hit `to`, or towards nothing if `to` is
@@ -56,29 +56,20 @@ void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& coun
 
 } // namespace
 
-LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads)
+LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
 {
-    const GlobalLines global_lines(scene.bounds());
-    // One in so many lines is tested against the hull, which may have as many sides as there are surfaces.
-    constexpr std::uint64_t few_sides = 2048;
-    const std::uint64_t per_test = 1 + hull.side_count() / few_sides;
+    const GlobalLines global_lines(scene.bounds(), Chords::box);
     const std::unique_ptr<Sequence> sequence = make_sequence("random", 1);
     const Blocks blocks = {lines, 4096};
     BlockBuffers<LineSurvey> slots(threads, empty_survey(scene));
     const auto cast_block = [&](std::uint64_t block, int slot) {
         LineSurvey& survey = slots[slot];
-        const std::uint64_t first = blocks.first(block);
         std::vector<Item> items(blocks.length(block));
-        sequence->generate(first, items);
+        sequence->generate(blocks.first(block), items);
         std::vector<Hit> hits;
-        for (std::size_t k = 0; k < items.size(); ++k) {
-            const Line line = global_lines.line(items[k]);
-            scene.intersector().all_hits(line, hits);
+        for (const Item& item : items) {
+            scene.intersector().all_hits(global_lines.line(item), hits);
             count_line(scene, hits, survey);
-            if ((first + k) % per_test == 0) {
-                ++survey.hull_tests;
-                survey.lines_into_hull += hull.meets(line) ? 1 : 0;
-            }
         }
     };
     ordered_blocks(blocks.count(), threads, cast_block, [](std::uint64_t, int) {});
@@ -86,8 +77,6 @@ LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_
     LineSurvey total = empty_survey(scene);
     for (const LineSurvey& survey : slots) { // counts: their order does not matter
         total.lines += survey.lines;
-        total.hull_tests += survey.hull_tests;
-        total.lines_into_hull += survey.lines_into_hull;
         total.crossings += survey.crossings;
         add(total.departures, survey.departures);
         add(total.arrivals, survey.arrivals);
@@ -100,15 +89,11 @@ SceneReport report_on(const Scene& scene, std::uint64_t wanted_lines, int thread
 {
     SceneReport report;
     const std::uint64_t lines = affordable_lines(scene, wanted_lines);
-    const ConvexHull hull = scene_hull(scene);
-    report.survey = survey_lines(scene, hull, lines, threads);
-    report.hull_area = hull.area();
-    const auto crossings = static_cast<double>(report.survey.crossings);
-    const double tested = static_cast<double>(report.survey.hull_tests) / static_cast<double>(report.survey.lines);
-    const double into_hull = static_cast<double>(report.survey.lines_into_hull) / tested;
-    report.intersections_per_hull_line_measured = into_hull > 0.0 ? crossings / into_hull : 0.0;
+    report.survey = survey_lines(scene, lines, threads);
+    report.intersections_measured =
+        static_cast<double>(report.survey.crossings) / static_cast<double>(report.survey.lines);
     report.direct = measure_direct_light(scene, lines, threads);
-    report.figures = {intersections_of_hull_line(scene, hull), mean(scene.average_reflectance()),
+    report.figures = {intersections_per_line(scene), mean(scene.average_reflectance()),
                       report.direct.secondary_reflectance, report.direct.lit_fraction};
     report.ratio_first_shot = optimal_ratio(report.figures);
     report.ratio_extended = optimal_ratio(extended_figures(report.figures));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/convex_hull.h"
 #include "radiosity/paper/direct_light.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/paper/power_state.h"
@@ -16,10 +15,8 @@ namespace multipath {
 /// on its front only, or on both sides in a two-sided scene.
 struct LineSurvey
 {
-    std::uint64_t lines = 0;           ///< number of lines cast: chords of the sphere around the scene
-    std::uint64_t hull_tests = 0;      ///< number of these lines that were tested against the convex hull of the scene
-    std::uint64_t lines_into_hull = 0; ///< number of the tested lines that meet the hull
-    std::uint64_t crossings = 0;       ///< number of intersections of all lines with surfaces
+    std::uint64_t lines = 0;     ///< number of lines cast, all of which meet the bounding box of the scene
+    std::uint64_t crossings = 0; ///< number of intersections of all lines with surfaces
 
     // Counts per surface. Every line counts in both directions.
     std::vector<std::uint64_t> departures; ///< times that a line leaves a patch of the surface
@@ -27,18 +24,14 @@ struct LineSurvey
     std::vector<std::uint64_t> met_behind; ///< departures from any surface that meet this one on a side without a patch
 };
 
-/// Casts `lines` random chords of the sphere around the scene and counts what they meet. `hull` is the convex hull of
-/// the scene. Deterministic.
-LineSurvey survey_lines(const Scene& scene, const ConvexHull& hull, std::uint64_t lines, int threads);
+/// Casts `lines` random lines through the bounding box of the scene and counts what they meet. Deterministic.
+LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads);
 
 /// The figures of the paper for one scene, and the power balance of a short trial run. Labels such as (G2) are those of
 /// docs/equations.md.
 struct SceneReport
 {
-    double hull_area = 0.0; ///< [m^2] area of the convex hull of the scene
-
-    /// [1] Mean number of intersections of the lines that met the hull; 0 if none did. Expected: figures.intersections.
-    double intersections_per_hull_line_measured = 0.0;
+    double intersections_measured = 0.0; ///< [1] per line of the survey; expected: figures.intersections
 
     DirectLight direct;                     ///< figures of the direct illumination
     BudgetFigures figures;                  ///< the inputs of (3) for the first shot

@@ -94,8 +94,8 @@ std::string figures_text(const Scene& scene, const SceneReport& r)
     std::string text;
     text += format("  R_ave  mean reflectance          %.4f\n", r.figures.average_reflectance);
     text += "  Phi_T  power of the sources      " + power_text(scene.source_power(), scene.file(), 6) + "\n";
-    text += format("  n_int  per line through the hull %.4f (measured %.4f)\n", r.figures.intersections,
-                   r.intersections_per_hull_line_measured);
+    text += format("  n_int  crossings of a line       %.4f (measured %.4f)\n", r.figures.intersections,
+                   r.intersections_measured);
     text += format("  f      share of the area lit     %.4f visible\n", r.direct.lit_fraction);
     text += format("  R_s'   reflectance of lit area   %.4f\n", r.direct.secondary_reflectance);
     text += "  (3)    N_l / N_g                 " + ratio_text(r.ratio_first_shot) + " first shot, " +
@@ -118,8 +118,8 @@ std::string report_text(const Scene& scene, const SceneReport& report, const std
     const int digits = coordinate_digits(scene.own_bounds(), 5);
     text += format("\nsize: %.5g x %.5g x %.5g m from ", high.x - low.x, high.y - low.y, high.z - low.z) +
             triple(low.x, low.y, low.z, digits) + " to " + triple(high.x, high.y, high.z, digits) + "\n";
-    text += format("area: %.6g m^2 in %s patches of at most %.4g; convex hull %.6g m^2\n", scene.own_area(),
-                   grouped(scene.patch_count()).c_str(), scene.patch_size(), report.hull_area);
+    text += format("area: %.6g m^2 in %s patches of at most %.4g; bounding box %.6g m^2\n", scene.own_area(),
+                   grouped(scene.patch_count()).c_str(), scene.patch_size(), scene.own_bounds().area());
     text += "\nmaterials:\n" + materials_text(scene);
     text += "\nemitters:\n" + emitters_text(scene);
     text += "\nfigures:\n" + figures_text(scene, report);
@@ -140,13 +140,13 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.numbers("bounds_low", scene.own_bounds().low);
     json.numbers("bounds_high", scene.own_bounds().high);
     json.number("area_m2", scene.own_area());
-    json.number("hull_area_m2", r.hull_area);
+    json.number("box_area_m2", scene.own_bounds().area());
     json.number("average_reflectance", r.figures.average_reflectance);
     json.numbers("average_reflectance_rgb", scene.average_reflectance());
     json.number("source_power_w", mean(scene.source_power()));
     json.numbers("source_power_rgb_w", scene.source_power());
-    json.number("intersections_hull", r.figures.intersections);
-    json.number("intersections_hull_measured", r.intersections_per_hull_line_measured);
+    json.number("intersections", r.figures.intersections);
+    json.number("intersections_measured", r.intersections_measured);
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
     constexpr double null = std::numeric_limits<double>::quiet_NaN(); // written as null

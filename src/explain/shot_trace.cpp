@@ -7,7 +7,7 @@
 #include "explain/trace_lines.h"
 #include "explain/words.h"
 #include "radiosity/paper/extended_first_shot.h"
-#include "radiosity/paper/first_stage.h"
+#include "radiosity/paper/first_shot.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/run/run.h"
 #include "transport/lines/local_rays.h"

@@ -45,6 +45,12 @@ public:
         const auto d = static_cast<std::size_t>(dimension);
         return bits_to_unit(start_[d] + n * steps_[d]); // 2^64 stands for 1: overflow is the modulo
     }
+    void generate(std::uint64_t first, std::vector<Item>& items) const override
+    {
+        for (std::size_t k = 0; k < items.size(); ++k)
+            items[k] = {coordinate(first + k, 0), coordinate(first + k, 1), coordinate(first + k, 2),
+                        coordinate(first + k, 3)};
+    }
 
 private:
     std::string kind_;

@@ -77,7 +77,7 @@ public:
                                            {"<em>paper, lit upwards</em>", published_up}})
             scenes.push_back(budget_row(name, "", budget.figures, budget.ratio, published_extended.ratio, 2));
         table(scenes);
-        text("R_ave is the mean reflectance, n_int the number of surfaces that a line through the convex hull of the "
+        text("R_ave is the mean reflectance, n_int the number of surfaces that a line through the bounding box of the "
              "scene crosses, f the share of the area that the lamp lights, R_s' the mean reflectance of what it "
              "lights. The paper prints no such figures for 5CUBES. <code>multipath check SCENE</code> measures them.");
     }

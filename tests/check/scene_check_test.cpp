@@ -232,7 +232,7 @@ TEST_CASE("hundreds of copies of a face are measured with fewer lines")
     const Scene scene = m.builder.scene(2.0);
     const SceneReport report = report_on(scene, 20000, 2);
     CHECK(report.survey.lines < 10000);
-    CHECK(report.intersections_per_hull_line_measured == doctest::Approx(report.figures.intersections).epsilon(0.1));
+    CHECK(report.intersections_measured == doctest::Approx(report.figures.intersections).epsilon(0.1));
     const std::vector<Finding> findings = findings_of(scene, report);
     CHECK(mentions(find(findings, "copy"), "at least 10000 pairs"));
 }

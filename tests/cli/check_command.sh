@@ -9,8 +9,8 @@ report() {
 check "a sound scene is reported with exit code 0" report
 
 json() {
-    ends 0 check "$scene" --lines 20000 --json && silent err && for key in average_reflectance intersections_hull \
-        intersections_hull_measured lit_fraction secondary_reflectance \
+    ends 0 check "$scene" --lines 20000 --json && silent err && for key in average_reflectance intersections \
+        intersections_measured lit_fraction secondary_reflectance \
         ratio_first_shot ratio_extended threshold_radiosity escaped_share back_face_share emitters findings; do
         says out "\"$key\":" || return
     done

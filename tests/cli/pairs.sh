@@ -420,12 +420,12 @@ reported() {
     cut -d' ' -f1-4,8- sums >added && same_numbers check || return
     # In words the same numbers with fewer digits.
     "$program" check textured.obj --ignore ceiling --two-sided --patch-size 0.7 --lines 1000 >check.txt
-    numbers check.json "bounds_low bounds_high area_m2 patches hull_area_m2 average_reflectance source_power_w source_power_rgb_w intersections_hull intersections_hull_measured lit_fraction secondary_reflectance ratio_first_shot ratio_extended threshold_radiosity escaped_share back_face_share" | awk '{
+    numbers check.json "bounds_low bounds_high area_m2 patches box_area_m2 average_reflectance source_power_w source_power_rgb_w intersections intersections_measured lit_fraction secondary_reflectance ratio_first_shot ratio_extended threshold_radiosity escaped_share back_face_share" | awk '{
         printf "size: %.5g x %.5g x %.5g m from (%.5g, %.5g, %.5g) to (%.5g, %.5g, %.5g)\n", $4 - $1, $5 - $2, $6 - $3, $1, $2, $3, $4, $5, $6
-        printf "area: %.6g m^2 in %d patches of at most 0.7; convex hull %.6g m^2\n", $7, $8, $9
+        printf "area: %.6g m^2 in %d patches of at most 0.7; bounding box %.6g m^2\n", $7, $8, $9
         printf "reflectance          %.4f\nsources      %.6g W (%.4g, %.4g, %.4g)\n", $10, $11, $12, $13, $14
         printf "lamp                 %.5g W (%.4g, %.4g, %.4g) from ", $11, $12, $13, $14
-        printf "\nhull %.4f (measured %.4f)\n", $15, $16
+        printf "\na line       %.4f (measured %.4f)\n", $15, $16
         printf "lit     %.4f visible\nlit area   %.4f\n%.4f first shot, %.4f extended\n%.6g W/m^2\n%.4g %% escapes, %.4g %% is lost\n", $17, $18, $19, $20, $21, 100 * $22, 100 * $23 }' >words
     grep '^[0-9]' check.csv | awk -F, '{ area[$3] += $10; for (c = 0; c < 3; ++c) r[$3, c] += $10 * $(11 + c) }
         END { for (m in area) printf "%-20s reflectance %-26s %10.4g m^2\n", m, sprintf("(%.4g, %.4g, %.4g)", r[m, 0] / area[m], r[m, 1] / area[m], r[m, 2] / area[m]), area[m] / 2 }' >>words

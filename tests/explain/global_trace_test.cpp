@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
-#include "radiosity/paper/first_stage.h"
+#include "radiosity/paper/first_shot.h"
 #include "radiosity/run/run.h"
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"

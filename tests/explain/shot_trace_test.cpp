@@ -1,7 +1,7 @@
 #include "explain/stage_trace.h"
 
 #include "base/errors.h"
-#include "radiosity/paper/first_stage.h"
+#include "radiosity/paper/first_shot.h"
 #include "radiosity/run/run.h"
 #include "test_scenes.h"
 

@@ -101,6 +101,26 @@ TEST_CASE("gathering walks gain by the collision estimator, and know less of a s
     CHECK(error > 10.0 * box.error(settings_of(Method::local), "random", 1u << 18));
 }
 
+// Red light that arrives at a green lamp goes on with probability 0.3, the mean reflectance, as black light. A path is
+// counted where it is absorbed, not where it has become black, which would count 1 / 0.7 times what arrives.
+TEST_CASE("the absorption estimator is unbiased where a path goes on without power")
+{
+    SceneBuilder builder;
+    const std::uint32_t red = builder.material({0.9, 0.0, 0.0}, {});
+    const std::uint32_t green_lamp = builder.material({0.0, 0.9, 0.0}, {1.0, 1.0, 1.0});
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, {red, green_lamp, red, red, red, red}).scene(0.5);
+    SolveOptions options = settings_of(Method::gathering);
+    options.lines = 1u << 18;
+    double sums[2] = {};
+    for (const Estimator estimator : {Estimator::collision, Estimator::absorption}) {
+        options.estimator = estimator;
+        const Solution solution = solve(scene, options, silent);
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            sums[estimator == Estimator::absorption] += scene.area(i) * solution.radiosity[i].r;
+    }
+    CHECK(sums[1] == doctest::Approx(sums[0]).epsilon(0.02)); // the noise is below 1 %
+}
+
 TEST_CASE("the methods take about as many lines as they are given, also few, and directions of many lines at a time")
 {
     const Box box;

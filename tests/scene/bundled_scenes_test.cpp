@@ -84,7 +84,7 @@ std::map<std::string, Solid> solids_of(const SceneFile& file)
 BudgetFigures figures_of(const Scene& scene)
 {
     const DirectLight direct = measure_direct_light(scene, 1u << 20, 2);
-    return {intersections_of_hull_line(scene), mean(scene.average_reflectance()), direct.secondary_reflectance,
+    return {intersections_per_line(scene), mean(scene.average_reflectance()), direct.secondary_reflectance,
             direct.lit_fraction};
 }
 
@@ -184,7 +184,7 @@ TEST_CASE("4CHAIRS gives the paper's figures, lit downwards and upwards" * docte
     for (const Scene* scene : {&down, &up}) {
         CHECK(scene->patch_size() == 0.25);
         CHECK(within(mean(scene->average_reflectance()), 0.577, 0.001));
-        CHECK(within(intersections_of_hull_line(*scene), 2.10, 0.05));
+        CHECK(within(intersections_per_line(*scene), 2.10, 0.05));
     }
     const BudgetFigures downwards = figures_of(down);
     CHECK(within(downwards.lit_fraction, 0.670, 0.005));

@@ -9,7 +9,6 @@
 
 #include "image/gather/source_light.h"
 
-#include "geometry/convex_hull.h"
 #include "geometry/intersector/intersector.h"
 #include "sampling/warp.h"
 
@@ -38,6 +37,49 @@ bool on_one_side(const std::vector<Vec3>& points, const Surface& surface, double
         high = std::max(high, height);
     }
     return low >= -touching || high <= touching;
+}
+
+/// The half-space of the points p with dot(normal, p) <= offset.
+struct HalfSpace
+{
+    Vec3 normal;
+    double offset;
+};
+
+/// The sides of the convex hull of a few points: the planes through three of them that have all others behind, up to
+/// rounding. A side with more than three corners is found more than once.
+std::vector<HalfSpace> hull_sides(const std::vector<Vec3>& points)
+{
+    constexpr double rounding = 1e-7; // of the extent
+    Bounds box;
+    for (const Vec3& point : points)
+        box.include(point);
+    const double extent = box.diagonal();
+    std::vector<HalfSpace> sides;
+    for (std::size_t a = 0; a < points.size(); ++a)
+        for (std::size_t b = 0; b < points.size(); ++b)
+            for (std::size_t c = std::max(a, b) + 1; c < points.size(); ++c) {
+                const Vec3 across = cross(points[b] - points[a], points[c] - points[a]);
+                if (!(length(across) > rounding * extent * extent))
+                    continue;
+                const HalfSpace side = {normalized(across), dot(normalized(across), points[a])};
+                const auto is_behind = [&](const Vec3& p) {
+                    return dot(side.normal, p) <= side.offset + rounding * extent;
+                };
+                if (std::all_of(points.begin(), points.end(), is_behind))
+                    sides.push_back(side);
+            }
+    return sides;
+}
+
+/// True if the convex hull of the points certainly reaches no deeper than `overlap` [scene units] behind the plane of
+/// one of the sides. A negative `overlap` demands a gap.
+bool is_separated(const std::vector<HalfSpace>& sides, const std::vector<Vec3>& points, double overlap)
+{
+    return std::any_of(sides.begin(), sides.end(), [&](const HalfSpace& side) {
+        return std::all_of(points.begin(), points.end(),
+                           [&](const Vec3& p) { return dot(side.normal, p) - side.offset >= -overlap; });
+    });
 }
 
 } // namespace
@@ -73,7 +115,7 @@ bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
     std::vector<Vec3> points = corners_of(here);
     for (const Vec3& corner : corners_of(there))
         points.push_back(corner);
-    const ConvexHull hull({points.begin(), points.end()});
+    const std::vector<HalfSpace> sides = hull_sides(points);
     const std::uint32_t own = scene_.surface_of(patch);
     for (std::uint32_t s = 0; s < scene_.surfaces().size(); ++s) {
         if (s == own || s == target)
@@ -84,7 +126,7 @@ bool ShaftVisibility::find(std::uint32_t patch, std::uint32_t target) const
         const bool is_flat = level.within(touching_);
         if (!is_flat && on_one_side(points, surface, touching_))
             continue;
-        if (!hull.is_separated_from(corners_of(surface), is_flat ? -touching_ : touching_))
+        if (!is_separated(sides, corners_of(surface), is_flat ? -touching_ : touching_))
             return false;
     }
     return true;

@@ -6,7 +6,7 @@
 #include "radiosity/paper/direct_light.h"
 
 #include "parallel/blocks.h"
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shot_rays.h"
 #include "sampling/discrete_distribution.h"
 #include "sampling/halton.h"
 #include "sampling/random.h"
@@ -31,8 +31,8 @@ Vec3 point_on(const Surface& shape, double a, double b)
     return shape.at(a, b);
 }
 
-/// The nearest of five grid coordinates from border to border: a patch that is barely lit is lit at its border, from
-/// the border of a source.
+/// One of five grid coordinates from border to border, equally often for x in [0, 1): a patch that is barely lit is lit
+/// at its border, from the border of a source.
 double snapped_to_grid(double x)
 {
     constexpr double inset = 1e-4;
@@ -54,12 +54,13 @@ std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
         sources.add(scene.area(i) * mean(scene.first_light(i)));
     std::vector<Probe> probes;
-    for (std::uint64_t k = 1; k <= count; ++k) {
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const std::uint64_t n = 1 + k / 2; // each point of the sequence as it is and on the grid
         const auto coordinate = [&](std::uint64_t base) {
-            const double x = radical_inverse(base, k);
-            return k % 2 == 0 ? x : snapped_to_grid(x);
+            const double x = radical_inverse(base, n);
+            return k % 2 == 0 ? snapped_to_grid(x) : x;
         };
-        const Patch source = scene.patch(static_cast<std::uint32_t>(sources.at(radical_inverse(13, k))));
+        const Patch source = scene.patch(static_cast<std::uint32_t>(sources.at(radical_inverse(13, n))));
         probes.push_back({point_on(source.shape, coordinate(5), coordinate(7)), source.shape.normal(), source.surface,
                           coordinate(2), coordinate(3)});
     }
@@ -70,7 +71,7 @@ std::vector<Probe> make_probes(const Scene& scene, std::uint64_t count)
 struct Target
 {
     std::uint32_t patch;
-    double area; ///< that it represents [scene units^2]
+    double area; ///< that it represents [m^2]
     Surface shape;
     Vec3 normal;
     bool lit = false;
@@ -109,7 +110,7 @@ std::vector<Target> targets(const Scene& scene, std::uint32_t most)
 }
 
 /// Finds which of the targets first ... end - 1 see any of the points on the sources. All that are not known to be lit
-/// cast their next shadow rays together. Returns the area represented by the lit ones [scene units^2].
+/// cast their next shadow rays together. Returns the area represented by the lit ones [m^2].
 double find_lit(const Scene& scene, const std::vector<Probe>& probes, Target* first, Target* end)
 {
     constexpr std::size_t rays_together = 1024;
@@ -137,7 +138,7 @@ double find_lit(const Scene& scene, const std::vector<Probe>& probes, Target* fi
                            [](double sum, const Target& target) { return sum + (target.lit ? target.area : 0.0); });
 }
 
-/// [scene units^2] Area of the directly lit patches, estimated from a sample if there are many.
+/// [m^2] Area of the directly lit patches, estimated from a sample if there are many.
 double lit_area(const Scene& scene, std::uint64_t most_rays, int threads)
 {
     const std::vector<Probe> probes =

@@ -1,22 +1,33 @@
-// The pseudocode of section 4.1 of the paper, with these differences:
+// Section 4.1 of the paper (Castro, Martinez, Sbert 1998) in short, and where it is done here:
+//
+//   for each step                                              shoot_passes()
+//     for each patch i with UNSHOT[i] > Threshold              plan_shots() in shots.cpp
+//       numberOfLines = AREA[i] (UNSHOT[i] - Threshold) / PowerByLine
+//       for each line                                          shoot() in shot_rays.cpp
+//         cast it from i; it carries PowerByLine
+//         at the patch that it hits: RADIOSITY and UNSHOT += reflected power / AREA
+//       UNSHOT[i] = Threshold                                  spend() in shots.cpp
+//
+// UNSHOT AREA is PowerState::unshot, and RADIOSITY follows from PowerState::incident by radiosity() in power_state.h.
+// The differences:
 //
 // 1. The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
 //    passes over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l,
 //    estimates it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about
 //    the same power, and an error of the pilot does not add up.
-// 2. All shots of a pass are planned before its first ray: what a patch receives in a pass it shoots in the next one,
-//    as the text of the paper says. The pseudocode changes the patches while it goes over them.
+// 2. All shots of a pass are planned before its first ray, and their power is subtracted then: what a patch receives in
+//    a pass it shoots in the next one, as the text of the paper says. The pseudocode changes the patches while it goes
+//    over them.
 // 3. The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
-//    that is worth less than a ray gets one at random (plan_shots).
+//    that is worth less than a ray gets one at random (plan_shots), but the power of a pass is taken from all its
+//    patches (spend); one factor for each colour makes up for the rounding.
 // 4. The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
 //    global pass.
-// 5. The power of a pass is taken from all its patches before the first ray, also from those that get no ray by
-//    rounding (spend); one factor for each colour makes up for the rounding (plan_shots).
-// 6. Powers instead of radiosities, and three colours: the threshold applies to their mean.
+// 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
 
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shot_rays.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,29 +52,46 @@ double relative_power_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
     return k < pilot.size() ? power / pilot[k].power : 1.0;
 }
 
-/// [W] Power of one ray of the next pass: what is still to be shot over the rays that are left; 0 if none are.
-double power_of_next_ray(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
-                         const std::vector<ShotPass>& done, double excess)
+/// [W] PowerByLine of the next pass: what is still to be shot over the rays that are left; 0 if none are.
+double power_by_next_line(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
+                          const std::vector<ShotPass>& done, double excess)
 {
-    if (options.power_by_line)
-        return *options.power_by_line;
     const std::uint64_t used = std::min(options.lines, lines_of(done));
     const auto left = static_cast<double>(options.lines - used);
-    return left > 0.0 ? excess * relative_power_to_come(pilot, done.size()) / left : 0.0;
+    if (!(left > 0.0))
+        return 0.0;
+    return std::max(options.power_by_line.value_or(0.0), excess * relative_power_to_come(pilot, done.size()) / left);
+}
+
+/// The passes of section 4.1, appended to those that are done.
+void shoot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                  const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot, const RunControl& run,
+                  PowerState& state, std::vector<ShotPass>& passes, const PassObserver& observe)
+{
+    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
+        const double excess = power_above(scene, state, options.threshold);
+        const double power_by_line = power_by_next_line(options, pilot, passes, excess);
+        const std::vector<Shot> shots =
+            plan_shots(scene, state, options.threshold, power_by_line, options.seed, passes.size());
+        if (shots.empty())
+            break;
+        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
+        spend(scene, options.threshold, shots, next);
+        const std::uint64_t first_ray_item = first_item + lines_of(passes);
+        observe(first_ray_item, shots, next);
+        const std::uint64_t rays = shoot(scene, sequence, first_ray_item, shots, run, next); // (S1)
+        state = std::move(next);
+        passes.push_back({rays, excess, power_balance(scene, state)});
+    }
 }
 
 } // namespace
-
-void visit(Archive& archive, std::vector<ShotPass>& passes)
-{
-    archive.records(passes, field<std::uint64_t>("pass lines", &ShotPass::lines),
-                    field<double>("pass power", &ShotPass::power), field<double>("pass balances", &ShotPass::balance));
-}
 
 std::vector<ShotPass> shoot_pilot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                   ExtendedShotOptions options, std::uint64_t rays, int threads, PowerState& state)
 {
     options.power_by_line = power_above(scene, state, options.threshold) / static_cast<double>(rays);
+    options.lines = ExtendedShotOptions::no_limit;
     return shoot_extended(scene, sequence, first_item, options, {threads}, state);
 }
 
@@ -83,25 +111,14 @@ std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequenc
         const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
         pilot = shoot_pilot(scene, sequence, first_item, options, rays, run.threads, copy);
     }
-    while (passes.size() < static_cast<std::size_t>(options.most_steps) && !run.stopped()) {
-        const double excess = power_above(scene, state, options.threshold);
-        const double ray_power = excess > 0.0 ? power_of_next_ray(options, pilot, passes, excess) : 0.0;
-        if (!(ray_power > 0.0))
-            break;
-        const std::vector<Shot> shots =
-            plan_shots(scene, state, options.threshold, ray_power, options.seed, passes.size());
-        if (shots.empty())
-            break;
-        PowerState next = state; // a run that is resumed within the pass plans it again, from the same state
-        spend(scene, options.threshold, shots, next);
-        const std::uint64_t first_ray_item = first_item + lines_of(passes);
-        if (observe)
-            observe(first_ray_item, shots, next);
-        const std::uint64_t rays = shoot(scene, sequence, first_ray_item, shots, run, next); // (S1) (S2)
-        state = std::move(next);
-        passes.push_back({rays, excess, power_balance(scene, state)});
-    }
+    shoot_passes(scene, sequence, first_item, options, pilot, run, state, passes, observe); // (S2)
     return passes;
+}
+
+void visit(Archive& archive, std::vector<ShotPass>& passes)
+{
+    archive.records(passes, field<std::uint64_t>("pass lines", &ShotPass::lines),
+                    field<double>("pass power", &ShotPass::power), field<double>("pass balances", &ShotPass::balance));
 }
 
 } // namespace multipath

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,9 @@ struct ExtendedShotOptions
     /// [W/m^2] Unshot radiosity (emitted or reflected, but not yet sent on) that every patch keeps. With threshold 0
     /// the method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
     double threshold = 0.0;
-    std::uint64_t lines = 0; ///< N_l, number of rays to cast, reached approximately; ignored if power_by_line is set
+    static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+    /// N_l, number of rays to cast, reached approximately; if power_by_line is set, the largest number.
+    std::uint64_t lines = no_limit;
     std::optional<double> power_by_line; ///< [W] power of one ray (plan_shots), if the user sets it
     int most_steps = 1000;               ///< maximum number of passes over the patches
     std::uint64_t seed = 0;              ///< seed of the random rounding to whole rays
@@ -36,14 +39,16 @@ struct ShotPass
 using PassObserver =
     std::function<void(std::uint64_t first_item, const std::vector<Shot>& shots, const PowerState& state)>;
 
+inline void ignore_pass(std::uint64_t, const std::vector<Shot>&, const PowerState&) {}
+
 /// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
 /// threshold shoots the excess. Ends when no patch exceeds it or none gets a ray by rounding, when the lines are used
-/// up (not with power_by_line), after most_steps passes, or when the run is stopped. The rays take the items of the
+/// up, after most_steps passes, or when the run is stopped. The rays take the items of the
 /// sequence from first_item on. Returns the passes. The caller must save `state`, as it is between two passes, in the
 /// checkpoint; this function saves the rest.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
-                                     const PassObserver& observe = {});
+                                     const PassObserver& observe = ignore_pass);
 
 /// The same with few rays: about `rays` in the first pass, and of the same power in the others. It takes the items that
 /// the rays of a run with these options take.

@@ -1,106 +1,90 @@
-// plan_shots() divides the excess of the patches into rays of nearly equal power, spend() subtracts it from the
-// patches, and shoot() lets the rays carry it to their receivers. Threads trace blocks of rays; the receivers are
-// counted in the order of the rays, so that the result does not depend on the number of threads. Counting the rays of a
-// shot first and multiplying by their power later avoids the drift of adding the same number 10^8 times.
-
 #include "radiosity/paper/first_shot.h"
 
 #include "base/errors.h"
-#include "parallel/stage.h"
-#include "transport/lines/line_segments.h"
-#include "transport/lines/local_rays.h"
+#include "radiosity/paper/direct_light.h"
+#include "radiosity/paper/line_budget.h"
+#include "radiosity/paper/measured_ratio.h"
+#include "radiosity/run/run.h"
+#include "transport/lines/depth_complexity.h"
+
+#include <algorithm>
 
 namespace multipath {
 
 namespace {
 
-/// The rays of all shots, in order, and how many of the present shot arrived at each receiver.
-struct ShotStage
+/// For the figures of (3), which they leave uncertain by 2 %. The error as a function of the ratio has a wide minimum.
+constexpr std::uint64_t rays_for_ratio = 1u << 13;
+
+FirstShot first_shot_of(const SolveOptions& options)
 {
-    using Block = RayBlock;
+    const bool gathers = options.method == Method::reuse && options.direct == Direct::gather;
+    return gathers ? FirstShot::none : options.method->first_shot;
+}
 
-    Blocks lines() const { return {rays.rays(), rays_per_block}; }
-    void trace(std::uint64_t number, RayBlock& block) const
-    {
-        const std::uint64_t first = lines().first(number);
-        block.items.resize(lines().length(number));
-        sequence.generate(first_item + first, block.items);
-        block.patches.clear();
-        rays.for_range(first, block.items.size(), [&](std::uint32_t shot, std::uint64_t, std::size_t count) {
-            block.patches.insert(block.patches.end(), count, shots[shot].patch);
-        });
-        block.trace(scene);
-    }
-    std::uint64_t take(std::uint64_t number, const RayBlock& block)
-    {
-        const std::uint64_t first = lines().first(number);
-        rays.for_range(first, block.receivers.size(), [&](std::uint32_t shot, std::uint64_t ray, std::size_t count) {
-            if (shot != present)
-                deposit();
-            present = shot;
-            const auto begin = static_cast<std::size_t>(ray - first);
-            for (std::size_t k = begin; k < begin + count; ++k)
-                if (const std::size_t place = place_of(block.receivers[k]); counts[place]++ == 0)
-                    touched.push_back(place);
-        });
-        return block.receivers.size();
-    }
-    /// Adds the power of the counted rays to the state (S1), and resets the counts.
-    void deposit()
-    {
-        for (const std::size_t place : touched) {
-            const Rgb power = static_cast<double>(counts[place]) * shots[present].power_per_ray;
-            counts[place] = 0;
-            if (place < scene.patch_count()) {
-                state.incident[place] += power;
-                state.unshot[place] += scene.reflectance(static_cast<std::uint32_t>(place)) * power;
-            } else {
-                (place == place_of(Segment::behind) ? state.behind : state.escaped) += power;
-            }
-        }
-        touched.clear();
-    }
-    void visit(Archive& archive)
-    {
-        archive.value<std::uint64_t>("current shot", present);
-        archive.list<std::uint64_t>("receivers", counts);
-        for (std::size_t place = 0; archive.reads() && place < counts.size(); ++place)
-            if (counts[place] > 0)
-                touched.push_back(place);
-        if (present >= shots.size())
-            throw ArchiveError("the state is damaged: no such rays");
-        archive.object("state", state);
-    }
-    /// Index in `counts` of a patch, Segment::behind or Segment::outside.
-    std::size_t place_of(std::uint32_t receiver) const
-    {
-        return Segment::is_patch(receiver) ? receiver : scene.patch_count() + (receiver - Segment::behind);
-    }
+ExtendedShotOptions shot_options(const Scene& scene, const SolveOptions& options)
+{
+    ExtendedShotOptions shot;
+    shot.threshold = options.threshold.value_or(threshold_radiosity(scene)); // (4)
+    shot.most_steps =
+        first_shot_of(options) == FirstShot::plain ? 1 : options.most_steps; // the first pass is the first shot
+    shot.seed = options.seed;
+    return shot;
+}
 
-    const Scene& scene;
-    const Sequence& sequence;
-    const std::uint64_t first_item;
-    const std::vector<Shot>& shots;
-    PowerState& state;
-    const Allotment rays = rays_of(shots);
-    std::uint64_t present = 0;             ///< the shot whose rays are being counted
-    std::vector<std::size_t> touched = {}; ///< places with a count above zero
-    /// Of its rays, per patch, and of those that reach none.
-    std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(std::size_t{scene.patch_count()} + 2);
-};
+/// The ratio that a pilot of the first shot shows to be best.
+std::optional<double> ratio_by_pilot(const Scene& scene, const SolveOptions& options)
+{
+    const std::unique_ptr<Sequence> sequence = make_line_sequence(options.sequence, options.seed, options.pairing);
+    // With less than a ray for each patch the passes would shoot nearly everything, and leave little to the walk.
+    const std::uint64_t rays =
+        std::clamp<std::uint64_t>(options.lines / 16, 1, std::max<std::uint64_t>(4096, 2ull * scene.patch_count()));
+    PilotShot pilot{PowerState(scene), PowerState(scene), {}};
+    pilot.passes =
+        shoot_pilot(scene, *sequence, options.skip, shot_options(scene, options), rays, options.threads, pilot.after);
+    const WalkDensity walk = walk_density(scene, GlobalLines(scene.bounds(), chords_of(options)), *sequence,
+                                          options.skip, options.bidirectional);
+    return best_ratio(line_variances(scene, pilot, walk)); // (V1) (V2)
+}
 
 } // namespace
 
-std::uint64_t shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                    const std::vector<Shot>& shots, const RunControl& run, PowerState& state)
+double ratio_for(const Scene& scene, const SolveOptions& options)
 {
-    if (shots.empty())
-        return 0;
-    ShotStage stage{scene, sequence, first_item, shots, state};
-    const std::uint64_t sent = run_stage("shots", stage, run); // (S1)
-    stage.deposit();
-    keep_unsent(shots, sent, state);
-    return stage.rays.rays();
+    if (options.ratio)
+        return *options.ratio;
+    if (options.measured_ratio)
+        return ratio_by_pilot(scene, options).value_or(1.0);
+    BudgetFigures figures;
+    figures.intersections = intersections_per_line(scene);
+    figures.average_reflectance = mean(scene.average_reflectance());
+    if (first_shot_of(options) == FirstShot::plain) {
+        const DirectLight direct =
+            measure_direct_light(scene, affordable_lines(scene, rays_for_ratio), options.threads);
+        figures.secondary_reflectance = direct.secondary_reflectance;
+        figures.lit_fraction = direct.lit_fraction;
+    } else {
+        figures = extended_figures(figures);
+    }
+    return optimal_ratio(figures).value_or(1.0); // (3)
+}
+
+void shoot_first(Run& run, const PassObserver& observe)
+{
+    const SolveOptions& options = run.options;
+    if (first_shot_of(options) == FirstShot::none)
+        return;
+    ExtendedShotOptions shot = shot_options(run.scene, options);
+    shot.power_by_line = options.power_by_line;
+    if (shot.power_by_line &&
+        power_above(run.scene, run.state, shot.threshold) / *shot.power_by_line > static_cast<double>(options.lines))
+        throw SettingsError(
+            "rays of this power are more than the lines of the whole run; expected more power per line, or more lines");
+    shot.lines = shot.power_by_line ? options.lines : local_line_count(options.lines, ratio_for(run.scene, options));
+    run.solution.shot_passes = shoot_extended(run.scene, *run.sequence, run.next_item(), shot, run.control(1, 1),
+                                              run.state, observe); // (S1) (S2)
+    for (const ShotPass& pass : run.solution.shot_passes)
+        run.solution.local_lines += pass.lines;
 }
 
 } // namespace multipath

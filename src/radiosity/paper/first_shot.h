@@ -1,22 +1,19 @@
 #pragma once
 
-#include "parallel/run_control.h"
-#include "radiosity/paper/power_state.h"
-#include "radiosity/paper/shots.h"
-#include "sampling/sequence.h"
-#include "scene/scene.h"
-
-#include <cstdint>
-#include <vector>
+#include "radiosity/paper/extended_first_shot.h"
 
 namespace multipath {
 
-/// Casts the rays of all shots, in order, with one item each from first_item on. The power that arrives at a patch is
-/// added to the incident power of the patch, and the reflected part to its unshot power ((S1) in docs/equations.md).
-/// The caller subtracts the power from the shooters beforehand, see spend(). The checkpoint saves `state`; the caller
-/// must give the same shots when the run is resumed. If the run is stopped, the shooters get back the power of the rays
-/// that were not cast. Returns the number of rays of the shots.
-std::uint64_t shoot(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
-                    const std::vector<Shot>& shots, const RunControl& run, PowerState& state);
+class Run;
+struct SolveOptions;
+
+/// N_l / N_g, local lines per global line, for the methods that shoot first: the ratio that the user has set, else the
+/// optimum for the scene by (3), or by a pilot with options.measured_ratio; 1 where there is no optimum.
+double ratio_for(const Scene& scene, const SolveOptions& options);
+
+/// The stage before the global lines: the extended first shot, or with a single pass the first shot, as the method
+/// demands; nothing for a method without one. Records the passes in the solution of the run, and their rays as local
+/// lines. Throws SettingsError if the first pass alone needs more rays of power_by_line than the run has lines.
+void shoot_first(Run& run, const PassObserver& observe = ignore_pass);
 
 } // namespace multipath

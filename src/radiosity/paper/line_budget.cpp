@@ -1,7 +1,5 @@
 #include "radiosity/paper/line_budget.h"
 
-#include "geometry/convex_hull.h"
-
 #include <cmath>
 
 namespace multipath {
@@ -25,21 +23,11 @@ BudgetFigures extended_figures(BudgetFigures figures)
     return figures;
 }
 
-ConvexHull scene_hull(const Scene& scene)
-{
-    return hull_of(scene.surfaces());
-}
-
-double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull)
+double intersections_per_line(const Scene& scene)
 {
     const double area =
         scene.total_area() / (scene.two_sided() ? 2.0 : 1.0); // a crossing counts once, however many sides have patches
-    return 2.0 * area / hull.area();                          // (G2)
-}
-
-double intersections_of_hull_line(const Scene& scene)
-{
-    return intersections_of_hull_line(scene, scene_hull(scene));
+    return 2.0 * area / scene.bounds().area();                // (G2)
 }
 
 double threshold_radiosity(const Scene& scene)

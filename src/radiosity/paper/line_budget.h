@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/convex_hull.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -11,7 +10,7 @@ namespace multipath {
 /// Properties of a scene that enter the optimal ratio. All are dimensionless.
 struct BudgetFigures
 {
-    double intersections = 0.0;       ///< n_int: expected crossings of a line that meets the convex hull of the scene
+    double intersections = 0.0;       ///< n_int: expected crossings of a line that meets the bounding box of the scene
     double average_reflectance = 0.0; ///< R_ave
     /// R_s': mean reflectance of the directly lit patches, weighted by the power that they receive from the sources.
     double secondary_reflectance = 0.0;
@@ -25,13 +24,10 @@ std::optional<double> optimal_ratio(const BudgetFigures& figures);
 /// The figures after an extended first shot, when all patches have received power: f = 1 and R_s' = R_ave.
 BudgetFigures extended_figures(BudgetFigures figures);
 
-/// Convex hull of all surfaces.
-ConvexHull scene_hull(const Scene& scene);
-
-/// n_int = 2 A_T / A_hull, with A_T the total area of the surfaces ((G2) in docs/equations.md).
-double intersections_of_hull_line(const Scene& scene, const ConvexHull& hull);
-/// The same; computes the convex hull.
-double intersections_of_hull_line(const Scene& scene);
+/// n_int = 2 A_T / A_box, with A_T the total area of the surfaces, each counted once, and A_box that of the bounding
+/// box
+/// ((G2) in docs/equations.md). N_g counts the lines that meet this box, too (N1).
+double intersections_per_line(const Scene& scene);
 
 /// [W/m^2] Radiosity that every patch keeps unshot in the first shot and the extended first shot: the mean reflected
 /// radiosity if the light were evenly distributed ((4) in docs/equations.md). Infinite if nothing absorbs: then nothing

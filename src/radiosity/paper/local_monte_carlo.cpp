@@ -152,10 +152,10 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
 
 Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator)
 {
-    const double absorption = 1.0 - mean(scene.reflectance(step.where));
-    if (estimator == Estimator::collision || !(absorption > 0.0)) // on perfect white no path ever ends
+    const double chance = survival(scene, step.where);
+    if (estimator == Estimator::collision || !(chance < 1.0)) // on perfect white no path ever ends
         return step.power;
-    return step.goes_on == Rgb{} ? (1.0 / absorption) * step.power : Rgb{};
+    return step.drawn < chance ? Rgb{} : 1.0 / (1.0 - chance) * step.power;
 }
 
 namespace {

@@ -45,7 +45,8 @@ double sent_share(double excess, double sent)
     return excess > 0.0 && sent < (1.0 - 1e-9) * excess ? sent / excess : 1.0;
 }
 
-/// Start of the systematic rounding to whole rays, in [0, 1).
+/// Start of the systematic rounding to whole rays (whole_part), in [0, 1). It is random: with a fixed one, the same
+/// sources would never get a ray.
 double rounding_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
                        std::uint64_t seed, std::uint64_t pass)
 {
@@ -73,6 +74,8 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double
                              std::uint64_t seed, std::uint64_t pass)
 {
     std::vector<Shot> shots;
+    if (!(power_by_line > 0.0))
+        return shots;
     Rgb excess;                                                                          // [W]
     double wanted = rounding_offset(scene, state, threshold, power_by_line, seed, pass); // rays so far, not rounded
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {

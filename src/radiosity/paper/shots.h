@@ -22,13 +22,12 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
 
 /// The shots of pass number `pass`, in the order of the patches: every patch with unshot radiosity above the threshold
 /// [W/m^2] shoots the excess (S1) (S2). `power_by_line` [W]: wanted power of one ray, mean of the channels, the
-/// `PowerByLine` of the paper. A patch whose excess is worth n rays of power_by_line gets n rays, rounded down or up
-/// systematically (whole_part) from an offset, so that the mean over all offsets is n. If n >= 1, these rays carry the
-/// excess of the patch. If n < 1, the patch gets a single ray for a fraction n of the offsets, and this ray carries
-/// power_by_line. One factor per channel then multiplies the power of all rays, so that together they carry the whole
-/// excess; it is at most 2, so very few rays may carry less. The offset is random, by seed and pass: with a fixed one,
-/// the same sources would never get a ray. But it is 0.5 in pass 0 if the excess of every patch is worth a ray, so that
-/// the rays of a first shot are the same for every seed.
+/// `PowerByLine` of the paper; with 0 there are no shots. A patch whose excess is worth n rays gets n rays on average
+/// over all seeds: n is rounded by systematic sampling, from an offset that depends on seed and pass. If n >= 1, the
+/// rays carry the excess of the patch; if n < 1, a ray carries power_by_line. One factor per channel then multiplies
+/// the power of all rays, so that together they carry the whole excess, which makes a bias that falls with the number
+/// of rays. It is at most 2, so very few rays may carry less. If every patch is worth a ray, those of pass 0 are the
+/// same for every seed.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
                              std::uint64_t seed, std::uint64_t pass);
 
@@ -38,8 +37,8 @@ std::vector<Shot> plan_first_shot(const Scene& scene, const PowerState& state, d
                                   std::uint64_t seed);
 
 /// Subtracts the power of the shots from the unshot power of the patches, in proportion to their excess. A patch that
-/// got no ray by rounding loses its part like the others: it has sent this part in expectation. In total no power is
-/// created or lost.
+/// got no ray by rounding loses its part like the others: the rays of others carry it. In total no power is created or
+/// lost.
 void spend(const Scene& scene, double threshold, const std::vector<Shot>& shots, PowerState& state);
 
 /// The rays of all shots, in order; the shots are the recipients.

@@ -9,7 +9,7 @@
 #include "radiosity/family/gathering_walk.h"
 #include "radiosity/family/stochastic_jacobi.h"
 #include "radiosity/family/transillumination.h"
-#include "radiosity/paper/first_stage.h"
+#include "radiosity/paper/first_shot.h"
 #include "radiosity/paper/local_monte_carlo.h"
 #include "radiosity/paper/multipath.h"
 #include "radiosity/reuse/balanced_reuse.h"

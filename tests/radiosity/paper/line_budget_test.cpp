@@ -45,12 +45,12 @@ TEST_CASE("a line through an empty room meets its walls twice")
 {
     SceneBuilder builder;
     const std::uint32_t wall = builder.grey(0.5, 1.0);
-    CHECK(intersections_of_hull_line(builder.room({0, 0, 0}, {3, 2, 1}, wall).scene(1.0)) == doctest::Approx(2.0));
+    CHECK(intersections_per_line(builder.room({0, 0, 0}, {3, 2, 1}, wall).scene(1.0)) == doctest::Approx(2.0));
     SceneBuilder furnished;
     const std::uint32_t grey = furnished.grey(0.5, 1.0);
     furnished.room({0, 0, 0}, {1, 1, 1}, grey).box({0.2, 0.2, 0.2}, {0.7, 0.7, 0.7}, grey);
-    CHECK(intersections_of_hull_line(furnished.scene(1.0)) == doctest::Approx(2.5));
-    CHECK(intersections_of_hull_line(Scene(furnished.file(), 1.0, true)) == doctest::Approx(2.5));
+    CHECK(intersections_per_line(furnished.scene(1.0)) == doctest::Approx(2.5));
+    CHECK(intersections_per_line(Scene(furnished.file(), 1.0, true)) == doctest::Approx(2.5));
 }
 
 // (4) is the reflected radiosity if the light were spread evenly: Phi_T / A_T times rho + rho^2 + ..., with the furnace

@@ -1,7 +1,7 @@
 #include "radiosity/reuse/balanced_reuse.h"
 
 #include "geometry/polygon.h"
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shot_rays.h"
 #include "statistics.h"
 #include "test_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "radiosity/paper/first_shot.h"
+#include "radiosity/paper/shot_rays.h"
 
 #include "form_factor.h"
 #include "irregular_scene.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
-namespace first_shot_test {
+namespace shot_rays_test {
 
 using namespace multipath;
 
@@ -216,4 +216,4 @@ TEST_CASE("a covered floor lights only what covers it")
           12); // from the box's top: the sheet's lower face, which looks at it
 }
 
-} // namespace first_shot_test
+} // namespace shot_rays_test
