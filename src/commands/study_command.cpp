@@ -20,6 +20,7 @@
 #include "commands/solve/saved_run.h"
 #include "export/patch_table.h"
 #include "image/checksum.h"
+#include "radiosity/paper/line_budget.h"
 #include "radiosity/run/statistics.h"
 #include "study/convergence.h"
 #include "study/convergence_plot.h"
@@ -30,6 +31,7 @@
 #include <cctype>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -90,13 +92,14 @@ CommandLine solve_line(const CommandLine& line, std::vector<std::string> words, 
     return {solve_command().table, words};
 }
 
-/// Throws UsageError for a name that is none.
-CurvePlan curve_plan(const CommandLine& line, const CurveKind& wanted)
+/// `more`: further words of the command for its runs. Throws UsageError for a name that is none.
+CurvePlan curve_plan(const CommandLine& line, const CurveKind& wanted, const std::vector<std::string>& more)
 {
     std::vector<std::string> words = {"--method=" + wanted.method, "--sequence=" + wanted.sequence,
                                       "--pairing=" + wanted.pairing, "--line-order=" + wanted.line_order};
     if (!wanted.chords.empty())
         words.push_back("--chords=" + wanted.chords);
+    words.insert(words.end(), more.begin(), more.end());
     std::vector<Option> options = run_options();
     options.push_back(memory_option());
     CurvePlan plan{wanted, read_solve_options(solve_line(line, words, options), "lines")};
@@ -123,9 +126,87 @@ OptionGroup study_curve_options()
               "Any of " + join(names_of(chords_choices)) + ". By default those that each method takes in solve."}}};
 }
 
+/// The numbers of a list like 0,1/4..2: a range stands for its low end and what doubling makes of it, here 0, 1/4, 1/2,
+/// 1 and 2. Throws UsageError for other text.
+std::set<double> read_numbers(const CommandLine& line, const std::string& name)
+{
+    const std::string option = "--" + name;
+    const auto read_number = [&](const std::string& text) {
+        const std::size_t slash = std::min(text.find('/'), text.size());
+        const double number = read_real(option, text.substr(0, slash), 0.0, 1e12);
+        return slash < text.size() ? number / read_positive(option, text.substr(slash + 1)) : number;
+    };
+    std::set<double> numbers;
+    for (const std::string& entry : read_list(line, name)) {
+        const std::size_t dots = std::min(entry.find(".."), entry.size());
+        const double low = read_number(entry.substr(0, dots));
+        const double high = dots < entry.size() ? read_number(entry.substr(dots + 2)) : low;
+        if (dots < entry.size() && !(low > 0.0 && low <= high))
+            throw UsageError(option + ": expected LOW..HIGH with 0 < LOW <= HIGH, got " + quoted_argument(entry));
+        numbers.insert(low);
+        for (double number = 2.0 * low; number <= high; number *= 2.0)
+            numbers.insert(number);
+    }
+    return numbers;
+}
+
+/// What a study varies beside the lines.
+struct Variation
+{
+    Abscissa quantity = Abscissa::lines;
+    std::string option;       ///< of solve, which sets it; empty: none
+    std::set<double> numbers; ///< its settings; a threshold is over that of (4)
+};
+
+/// Throws UsageError.
+Variation read_variation(const CommandLine& line)
+{
+    if (line.has("ratios") + line.has("thresholds") == 0)
+        return {};
+    if (line.has("ratios") && line.has("thresholds"))
+        throw UsageError("--ratios and --thresholds exclude each other; expected one of them");
+    const bool ratio = line.has("ratios");
+    Variation variation{ratio ? Abscissa::ratio : Abscissa::threshold, ratio ? "ratio" : "threshold", {}};
+    for (const std::string& other : {variation.option, std::string("power-per-line"), std::string("from"),
+                                     std::string("against"), std::string("with")})
+        if (line.knows(other) && line.has(other))
+            throw UsageError("--" + variation.option + "s and --" + other +
+                             " exclude each other; expected one of them");
+    variation.numbers = read_numbers(line, variation.option + "s");
+    return variation;
+}
+
+/// The curve of this kind, one part for each setting. A ratio is also chosen by (3), and by a pilot where that is
+/// known. Throws UsageError for a method without the option.
+std::vector<CurvePlan> curve_parts(const CommandLine& line, const CurveKind& wanted, const Variation& variation)
+{
+    if (variation.quantity == Abscissa::lines)
+        return {curve_plan(line, wanted, {})};
+    const Method method = method_named(wanted.method);
+    if (!has_option(method, variation.option))
+        throw UsageError("--" + variation.option + "s: the method " + wanted.method + " has no " + variation.option);
+    std::vector<CurvePlan> parts;
+    const auto add = [&](const std::string& value) {
+        parts.push_back(curve_plan(line, wanted, {"--" + variation.option + "=" + value}));
+    };
+    for (const double number : variation.numbers) {
+        add(format("%.17g", number));
+        parts.back().setting = number;
+    }
+    std::vector<std::string> rules;
+    if (variation.quantity == Abscissa::ratio)
+        rules = has_option(method, "line-order") ? std::vector<std::string>{"auto", "measured"}
+                                                 : std::vector<std::string>{"auto"};
+    for (const std::string& rule : rules) {
+        add(rule);
+        parts.back().rule = rule;
+    }
+    return parts;
+}
+
 /// One curve for each combination of the lists, without duplicates: for a method without global lines, for example, all
 /// chords give the same curve. Throws UsageError for an unknown or repeated name, and for options without effect.
-std::vector<CurvePlan> read_curves(const CommandLine& line)
+std::vector<CurvePlan> read_curves(const CommandLine& line, const Variation& variation)
 {
     const std::vector<std::string_view> known_methods = find_option(solve_command().table, "method")->choices;
     const std::vector<std::string> methods = line.text("methods") == "all"
@@ -146,10 +227,11 @@ std::vector<CurvePlan> read_curves(const CommandLine& line)
             for (const std::string& pairing : pairings)
                 for (const std::string& chord : chords)
                     for (const std::string& order : orders) {
-                        const CurvePlan plan = curve_plan(line, {method, sequence, pairing, chord, order});
-                        const auto known = [&](const CurvePlan& other) { return other.kind == plan.kind; };
+                        const std::vector<CurvePlan> parts =
+                            curve_parts(line, {method, sequence, pairing, chord, order}, variation);
+                        const auto known = [&](const CurvePlan& other) { return other.kind == parts[0].kind; };
                         if (std::none_of(curves.begin(), curves.end(), known))
-                            curves.push_back(plan);
+                            curves.insert(curves.end(), parts.begin(), parts.end());
                     }
     return curves;
 }
@@ -161,9 +243,15 @@ StudyPlan read_plan(const CommandLine& line)
 {
     constexpr std::uint64_t longest_study = std::uint64_t{1} << 40; // months
     StudyPlan plan;
-    plan.curves = read_curves(line);
-    const std::uint64_t from = read_count("--from", line.text("from"), 1, longest_study);
+    const Variation variation = read_variation(line);
+    plan.varied = variation.quantity;
+    plan.curves = read_curves(line, variation);
+    const bool varies_lines = plan.varied == Abscissa::lines;
+    const std::uint64_t from = read_count("--from", line.text(varies_lines ? "from" : "to"), 1, longest_study);
     const std::uint64_t to = read_count("--to", line.text("to"), from, longest_study);
+    if (!varies_lines)
+        for (CurvePlan& curve : plan.curves)
+            curve.options.lines = to; // for the pilot
     for (std::uint64_t lines = from; lines <= to; lines *= 2)
         plan.line_counts.push_back(lines);
     plan.executions = static_cast<int>(read_count("--replicates", line.text("replicates"), 1, 10000));
@@ -255,8 +343,9 @@ Journal open_journal(const CommandLine& line, const Scene& scene, const Referenc
     if (cache.empty())
         return Journal();
     // The identity leaves out what differs between runs (curves, numbers of lines) and what does not change them.
-    const std::vector<std::string> not_shared = {"methods", "sequences",  "pairings",  "line-orders", "chords", "from",
-                                                 "to",      "replicates", "reference", "against",     "with"};
+    const std::vector<std::string> not_shared = {"methods",   "sequences", "pairings",   "line-orders", "chords",
+                                                 "from",      "ratios",    "thresholds", "to",          "replicates",
+                                                 "reference", "against",   "with"};
     const std::vector<Rgb>& radiosity = reference.radiosity;
     const std::string bytes(reinterpret_cast<const char*>(radiosity.data()), radiosity.size() * sizeof(Rgb));
     const std::string shared =
@@ -289,7 +378,7 @@ std::string plot_title(const Scene& scene)
 
 Study study_of(const CommandLine& line)
 {
-    const StudyPlan plan = read_plan(line);
+    StudyPlan plan = read_plan(line);
     const int threads = thread_count(line);
     const std::vector<std::string> paths = line.all("output");
     const std::vector<std::string> inputs = concatenated({{scene_path(line)}, line.all("reference"), line.all("with")});
@@ -298,6 +387,9 @@ Study study_of(const CommandLine& line)
 
     const Scene scene = read_scene(line, threads);
     require_no_input(outputs, input_files(scene.file()));
+    if (plan.varied == Abscissa::threshold)
+        for (CurvePlan& curve : plan.curves)
+            curve.options.threshold = curve.setting * threshold_radiosity(scene); // (4)
     const std::vector<std::string> comments = provenance(line, scene);
     const std::string cache = cache_folder(line, paths);
     const Reference reference = study_reference(line, scene, plan, cache);
@@ -312,7 +404,8 @@ Study study_of(const CommandLine& line)
         study = run_study(scene, reference, plan, journal, at_a_time, std::ref(progress));
     }
     study.curves.insert(study.curves.end(), with.begin(), with.end());
-    const Abscissa against = line.choice("against", against_choices).value;
+    const Abscissa against =
+        study.varied == Abscissa::lines ? line.choice("against", against_choices).value : study.varied;
     for (PlannedOutput& output : outputs)
         output.file.write(output.extension == ".csv" ? study_csv(study, comments)
                                                      : convergence_plot(study, against, plot_title(scene), comments));
@@ -344,6 +437,11 @@ Command study_command()
           {"Points",
            {{"from", 0, "N", "2^14", "Lines of the first point; every further point has twice as many."},
             {"to", 0, "N", "2^20", "Largest number of lines of a point."},
+            {"ratios", 0, "LIST", "",
+             "Vary the ratio of local to global lines, at --to lines: 1/16..16 doubles from 1/16 to 16. The paper's "
+             "ratio and that of a pilot are points, too."},
+            {"thresholds", 0, "LIST", "",
+             "Vary the threshold of the extended first shot, at --to lines, in units of the paper's: 0,1/8..8."},
             {"replicates", 0, "R", "4",
              "Runs of which each point is the mean, with different seeds or parts of the sequence."},
             {"reference", 0, "FILE", "",

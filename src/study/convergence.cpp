@@ -99,9 +99,15 @@ namespace {
 
 constexpr double clearly_above = 10.0; ///< times the error of the reference, which then moves a point by 10 % at most
 
-std::string curve_name(const CurveKind& kind)
+std::string curve_name(const StudyPlan& plan, const CurvePlan& curve)
 {
-    return kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
+    const CurveKind& kind = curve.kind;
+    std::string name =
+        kind.method + " " + kind.sequence + " " + kind.pairing + " " + kind.chords + " " + kind.line_order;
+    if (plan.varied != Abscissa::lines)
+        name += (plan.varied == Abscissa::ratio ? " ratio " : " threshold ") +
+                (curve.rule.empty() ? format("%.17g", curve.setting) : curve.rule);
+    return name;
 }
 
 /// Number of items between the first items of two executions: at least as many as a run takes, and a power of two, so
@@ -130,7 +136,7 @@ std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal
     for (auto lines = plan.line_counts.rbegin(); lines != plan.line_counts.rend(); ++lines)
         for (std::size_t c = 0; c < plan.curves.size(); ++c)
             for (int number = 0; number < plan.executions; ++number) {
-                const std::string name = execution_name(curve_name(plan.curves[c].kind), *lines, number);
+                const std::string name = execution_name(curve_name(plan, plan.curves[c]), *lines, number);
                 if (!journal.find(name))
                     runs.push_back({c, *lines, number, name});
             }
@@ -179,31 +185,46 @@ CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& 
     return point;
 }
 
-CurvePoint mean_point(const CurveKind& kind, std::uint64_t lines, int executions, const Journal& journal)
+CurvePoint mean_point(const StudyPlan& plan, const CurvePlan& curve, std::uint64_t lines, const Journal& journal)
 {
     CurvePoint point{lines};
+    const std::string name = curve_name(plan, curve);
     for (double CurvePoint::*value : {&CurvePoint::local_lines, &CurvePoint::global_lines, &CurvePoint::mean_square,
                                       &CurvePoint::relative, &CurvePoint::seconds}) {
         RunningMean mean;
-        for (int number = 0; number < executions; ++number)
-            mean.add((*journal.find(execution_name(curve_name(kind), lines, number))).*value);
+        for (int number = 0; number < plan.executions; ++number)
+            mean.add((*journal.find(execution_name(name, lines, number))).*value);
         point.*value = mean.mean();
-        if (value == &CurvePoint::relative && executions > 1)
+        if (value == &CurvePoint::relative && plan.executions > 1)
             point.relative_error = mean.standard_error();
     }
+    point.setting = curve.rule.empty() ? curve.setting : point.local_lines / point.global_lines;
+    point.rule = curve.rule;
     return point;
 }
 
-Curve mean_curve(const CurveKind& kind, const StudyPlan& plan, const Reference& reference, const Journal& journal)
+/// The curves of the plan with their points.
+std::vector<Curve> mean_curves(const StudyPlan& plan, const Reference& reference, const Journal& journal)
 {
-    Curve curve{kind, {}, {}};
-    for (const std::uint64_t count : plan.line_counts) {
-        CurvePoint point = mean_point(kind, count, plan.executions, journal);
-        point.above_reference = point.relative > clearly_above * reference.relative_square.value_or(0.0);
-        curve.points.push_back(point);
+    std::vector<Curve> curves;
+    for (const CurvePlan& part : plan.curves) {
+        if (curves.empty() || !(curves.back().kind == part.kind))
+            curves.push_back({part.kind, {}, {}});
+        for (const std::uint64_t count : plan.line_counts) {
+            CurvePoint point = mean_point(plan, part, count, journal);
+            point.above_reference = point.relative > clearly_above * reference.relative_square.value_or(0.0);
+            curves.back().points.push_back(point);
+        }
     }
-    curve.law = fit(curve.points); // (2)
-    return curve;
+    for (Curve& curve : curves) {
+        std::stable_sort(curve.points.begin(), curve.points.end(),
+                         [](const CurvePoint& a, const CurvePoint& b) { return a.setting < b.setting; });
+        if (plan.varied == Abscissa::lines)
+            curve.law = fit(curve.points); // (2)
+        if (plan.varied == Abscissa::ratio)
+            curve.ratio_law = fit_ratio(curve.points);
+    }
+    return curves;
 }
 
 } // namespace
@@ -232,12 +253,7 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
         report(1.0);
     });
 
-    Study study;
-    study.executions = plan.executions;
-    study.reference_relative_square = reference.relative_square;
-    for (const CurvePlan& curve : plan.curves)
-        study.curves.push_back(mean_curve(curve.kind, plan, reference, journal));
-    return study;
+    return {mean_curves(plan, reference, journal), plan.executions, plan.varied, reference.relative_square};
 }
 
 } // namespace multipath

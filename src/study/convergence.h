@@ -14,7 +14,7 @@
 namespace multipath {
 
 /// Name of an execution (run) of a study: that of its curve, its lines, and its number among those with the same curve
-/// and lines. The name of the curve has no tabs and line ends.
+/// and lines. The name of the curve, with its setting, has no tabs and line ends.
 std::string execution_name(const std::string& curve, std::uint64_t lines, int number);
 
 /// Log of the finished executions of a study in a file, from which an interrupted study resumes. Each execution, a
@@ -55,17 +55,20 @@ struct Reference
     std::optional<double> relative_square;
 };
 
-/// A curve to be measured. The options hold for all its runs, except that each run has its own lines, seed and range of
-/// items (points of the sequence, one for each line).
+/// A curve to be measured, or a part of one with the same setting. The options hold for all its runs, except that each
+/// run has its own lines, seed and range of items (points of the sequence, one for each line).
 struct CurvePlan
 {
     CurveKind kind;
     SolveOptions options;
+    double setting = 0.0;  ///< CurvePoint::setting of its points, for their names; 0: the rule chooses it
+    std::string rule = {}; ///< CurvePoint::rule of its points
 };
 
 struct StudyPlan
 {
-    std::vector<CurvePlan> curves;
+    std::vector<CurvePlan> curves;          ///< those of the same kind beside each other
+    Abscissa varied = Abscissa::lines;      ///< lines, ratio or threshold: what the settings are
     std::vector<std::uint64_t> line_counts; ///< lines of the points of every curve, increasing
     int executions = 1;                     ///< number of runs for each point
     std::uint64_t seed = 1;

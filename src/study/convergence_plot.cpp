@@ -55,7 +55,7 @@ struct PlottedPoint
     PlotPoint middle;
     double low; ///< minus infinity if the error reaches down to 0
     double high;
-    bool fitted; ///< the fit uses the point
+    bool filled; ///< the mark is; otherwise it is hollow
 };
 
 /// The drawn parts of a curve; coordinates are decimal logarithms.
@@ -64,6 +64,7 @@ struct PlottedCurve
     MarkStyle style;
     std::vector<PlottedPoint> points;
     std::optional<PowerLaw> law;      ///< against the plot's abscissa
+    std::string law_words;            ///< in the legend
     std::vector<PlotPoint> line = {}; ///< the law over the range of the fitted points; empty without a law
 };
 
@@ -72,11 +73,57 @@ struct PlottedCurve
 constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
 constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
 
+/// True of a plot against what makes the error fall.
+bool has_guides(Abscissa against)
+{
+    return against == Abscissa::lines || against == Abscissa::seconds;
+}
+
+/// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
+std::string slope_text(const std::optional<PowerLaw>& law)
+{
+    if (!law)
+        return "no slope";
+    return "slope " + slope_words(law, exponent_interval(*law) < 0.01 ? 3 : 2);
+}
+
+/// "least at 0.96 (0.93 to 1.00); (3) 1.29, pilot 1.06" with the 95 % interval.
+std::string ratio_words(const Curve& curve)
+{
+    std::string text = "no least error inside";
+    if (curve.ratio_law) {
+        const auto [low, high] = best_ratio_interval(*curve.ratio_law);
+        text = format("least at %.2f (%.2f to %.2f)", curve.ratio_law->best(), low, high);
+    }
+    const char* separator = "; ";
+    for (const CurvePoint& point : curve.points)
+        if (!point.rule.empty()) {
+            text += separator + rule_words(point.rule) + format(" %.2f", point.setting);
+            separator = ", ";
+        }
+    return text;
+}
+
+/// Points of the law between two decimal logarithms of the ratio.
+std::vector<PlotPoint> ratio_line(const RatioLaw& law, double low, double high)
+{
+    constexpr int pieces = 64;
+    std::vector<PlotPoint> line;
+    for (int k = 0; k <= pieces; ++k) {
+        const double x = low + (high - low) * k / pieces;
+        line.push_back({x, elementary::log10(law.at(elementary::pow(10.0, x)))});
+    }
+    return line;
+}
+
 /// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
 PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
 {
-    PlottedCurve result{
-        svg_series_mark(series), {}, against == Abscissa::lines ? curve.law : fit(curve.points, against)};
+    PlottedCurve result{svg_series_mark(series), {}, {}, ""};
+    if (has_guides(against)) {
+        result.law = against == Abscissa::lines ? curve.law : fit(curve.points, against);
+        result.law_words = slope_text(result.law);
+    }
     Extent fitted; // across
     for (const CurvePoint& point : curve.points) {
         const double x = abscissa(point, against);
@@ -86,13 +133,18 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
         result.points.push_back({{elementary::log10(x), elementary::log10(point.relative)},
                                  low > 0.0 ? elementary::log10(low) : -std::numeric_limits<double>::infinity(),
                                  elementary::log10(point.relative + point.relative_error),
-                                 point.above_reference});
+                                 point.above_reference && point.rule.empty()});
         if (point.above_reference)
             fitted.include(elementary::log10(x));
     }
     if (result.law && !fitted.empty())
         for (const double x : {fitted.low, fitted.high})
             result.line.push_back({x, elementary::log10(result.law->factor) + result.law->exponent * x});
+    if (against == Abscissa::ratio) {
+        result.law_words = ratio_words(curve);
+        if (curve.ratio_law)
+            result.line = ratio_line(*curve.ratio_law, fitted.low, fitted.high);
+    }
     return result;
 }
 
@@ -126,12 +178,15 @@ PlotPoint guides_begin(const Ranges& ranges)
 Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, Abscissa against)
 {
     Extent& up = ranges.up;
-    if (!up.empty())
+    if (!up.empty() && has_guides(against))
         up.include(guides_begin(ranges).y);
     for (const PlottedCurve& curve : curves)
         for (const PlotPoint end : curve.line)
             up.include(end.y);
-    const char* name = against == Abscissa::lines ? "lines" : "processor time on one thread [s]";
+    constexpr std::array<const char*, 4> names = {"lines", "processor time on one thread [s]",
+                                                  "local lines per global line",
+                                                  "threshold over that of the paper (4)"};
+    const char* name = names[static_cast<std::size_t>(against)];
     return {plot_left,
             plot_top,
             plot_width,
@@ -163,12 +218,12 @@ std::string guides_text(const Plot& plot, PlotPoint begin)
     return text;
 }
 
-/// Positions of the points that the fit uses, or of the others.
-std::vector<SvgPoint> positions(const Plot& plot, const PlottedCurve& curve, bool fitted)
+/// Positions of the filled marks, or of the hollow ones.
+std::vector<SvgPoint> positions(const Plot& plot, const PlottedCurve& curve, bool filled)
 {
     std::vector<SvgPoint> result;
     for (const PlottedPoint& point : curve.points)
-        if (point.fitted == fitted)
+        if (point.filled == filled)
             result.push_back(plot.at(point.middle));
     return result;
 }
@@ -193,10 +248,11 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
     std::string marks;
     for (const PlottedCurve& curve : curves) {
         const std::string& colour = curve.style.colour;
-        if (!curve.law)
-            lines += svg_polyline(positions(plot, curve, true), {colour, 1.2, "1 3"});
-        else if (!curve.line.empty())
-            lines += svg_polyline({plot.at(curve.line.front()), plot.at(curve.line.back())}, {colour, 1.2});
+        std::vector<SvgPoint> line;
+        for (const PlotPoint point : curve.line)
+            line.push_back(plot.at(point));
+        lines += line.empty() ? svg_polyline(positions(plot, curve, true), {colour, 1.2, "1 3"})
+                              : svg_polyline(line, {colour, 1.2});
         lines += svg_bars(error_bars(plot, curve), {colour, 1.2});
         marks += svg_marks(positions(plot, curve, false), curve.style, true) +
                  svg_marks(positions(plot, curve, true), curve.style, false);
@@ -207,18 +263,16 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
 /// Notes that explain the symbols of the plot.
 std::vector<std::string> notes_of(const Study& study)
 {
-    return {"Points: means of executions (" + std::to_string(study.executions) +
-                "); bars: their standard errors. \u00b1 after a slope: 95 % interval.",
+    const std::string points =
+        "Points: means of executions (" + std::to_string(study.executions) + "); bars: their standard errors.";
+    if (study.varied == Abscissa::ratio)
+        return {points, "Curves: a / N_l + b / N_g by least squares; least: at their lowest point (95 % interval).",
+                "Hollow: at the ratio of formula (3), or of a pilot, or too near the reference's own error."};
+    if (study.varied == Abscissa::threshold)
+        return {points, "Hollow: too near the reference's own error."};
+    return {points + " \u00b1 after a slope: 95 % interval.",
             "Hollow: the reference's own error is not small beside it; left out of the fit.",
             "No slope: the points are too few or too close."};
-}
-
-/// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
-std::string slope_text(const std::optional<PowerLaw>& law)
-{
-    if (!law)
-        return "no slope";
-    return "slope " + slope_words(law, exponent_interval(*law) < 0.01 ? 3 : 2);
 }
 
 /// The legend: a row with mark, label and slope for each curve.
@@ -234,10 +288,10 @@ std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vect
     for (std::size_t k = 0; k < curves.size(); ++k, y += row_height) {
         const PlottedCurve& curve = curves[k];
         const std::vector<SvgPoint> sample = {{legend_left, y - 4.0}, {legend_left + sample_width, y - 4.0}};
-        text += (curve.law ? svg_polyline(sample, {curve.style.colour, 1.2}) : "") +
+        text += (!curve.line.empty() ? svg_polyline(sample, {curve.style.colour, 1.2}) : "") +
                 svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style, false) +
                 svg_text(label_x, y, labels[k], SvgAnchor::start) +
-                svg_text(slope_x, y, slope_text(curve.law), SvgAnchor::start);
+                svg_text(slope_x, y, curve.law_words, SvgAnchor::start);
     }
     return text;
 }
@@ -261,7 +315,7 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
     const double title_size = std::clamp(1.6 * plot_drawing_width / static_cast<double>(title.size() + 1), 8.0, 15.0);
     std::string text = svg_head(plot_drawing_width, height, title, comments) +
                        svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) + svg_grid(plot);
-    if (!ranges.across.empty())
+    if (!ranges.across.empty() && has_guides(against))
         text += guides_text(plot, guides_begin(ranges));
     text += curves_text(plot, curves) + svg_axes(plot) + legend_text(curves, labels);
     for (const std::string& note : notes) {

@@ -3,6 +3,7 @@
 #include "base/elementary.h"
 #include "radiosity/run/statistics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -65,6 +66,11 @@ double exponent_interval(const PowerLaw& law)
     return student_quantile(tail, law.points - 2) * law.exponent_error;
 }
 
+double RatioLaw::best() const
+{
+    return std::sqrt(local / global);
+}
+
 bool operator==(const CurveKind& a, const CurveKind& b)
 {
     const auto parts = [](const CurveKind& k) {
@@ -75,7 +81,14 @@ bool operator==(const CurveKind& a, const CurveKind& b)
 
 double abscissa(const CurvePoint& point, Abscissa against)
 {
-    return against == Abscissa::lines ? static_cast<double>(point.lines) : point.seconds;
+    switch (against) {
+    case Abscissa::lines:
+        return static_cast<double>(point.lines);
+    case Abscissa::seconds:
+        return point.seconds;
+    default:
+        return point.setting;
+    }
 }
 
 std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa against)
@@ -88,6 +101,51 @@ std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa agai
             errors.push_back(point.relative);
         }
     return fit_power_law(xs, errors);
+}
+
+// With u = 1 + 1 / ratio and v = 1 + ratio in units of the measured error, the law is local u + global v = 1 at every
+// point: two unknowns, by least squares.
+std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points)
+{
+    std::set<double> ratios;
+    double uu = 0.0;
+    double uv = 0.0;
+    double vv = 0.0;
+    double u1 = 0.0; // right-hand sides
+    double v1 = 0.0;
+    RatioLaw law;
+    for (const CurvePoint& point : points) {
+        if (!point.above_reference || !(point.setting > 0.0 && point.relative > 0.0))
+            continue;
+        const double u = (1.0 + 1.0 / point.setting) / point.relative;
+        const double v = (1.0 + point.setting) / point.relative;
+        uu += u * u;
+        uv += u * v;
+        vv += v * v;
+        u1 += u;
+        v1 += v;
+        ++law.points;
+        ratios.insert(point.setting);
+    }
+    const double determinant = uu * vv - uv * uv;
+    if (ratios.size() < 3)
+        return {};
+    law.local = (vv * u1 - uv * v1) / determinant;
+    law.global = (uu * v1 - uv * u1) / determinant;
+    if (!(law.local > 0.0 && law.global > 0.0) || law.best() < *ratios.begin() || law.best() > *ratios.rbegin())
+        return {};
+    const double scatter = std::max(0.0, law.points - law.local * u1 - law.global * v1) / (law.points - 2);
+    law.log_error = 0.5 * std::sqrt(scatter / determinant *
+                                    (vv / (law.local * law.local) + uu / (law.global * law.global) +
+                                     2.0 * uv / (law.local * law.global)));
+    return law;
+}
+
+std::array<double, 2> best_ratio_interval(const RatioLaw& law)
+{
+    constexpr double tail = 0.05; // beyond either end of the interval
+    const double factor = elementary::exp(student_quantile(tail, law.points - 2) * law.log_error);
+    return {law.best() / factor, law.best() * factor};
 }
 
 } // namespace multipath

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,21 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::
 /// distribution for points - 2 degrees of freedom.
 double exponent_interval(const PowerLaw& law);
 
+/// How the error of N lines depends on their division (docs/method.md, section 6): a relative MSE of local / N_l +
+/// global / N_g with N_l + N_g = N.
+struct RatioLaw
+{
+    double local = 0.0;     ///< [1] relative MSE of N local lines for which the global lines are exact
+    double global = 0.0;    ///< [1] the same of N global lines
+    double log_error = 0.0; ///< standard error of the natural logarithm of best()
+    int points = 0;         ///< number of points that the law was fitted to
+
+    /// The relative MSE at this ratio N_l / N_g > 0.
+    double at(double ratio) const { return local * (1.0 + 1.0 / ratio) + global * (1.0 + ratio); }
+    /// The ratio with the least error.
+    double best() const;
+};
+
 /// What all runs of a curve have in common: the method and the choice of its lines.
 struct CurveKind
 {
@@ -52,14 +68,18 @@ struct CurvePoint
     double relative = 0.0;       ///< [1] relative MSE: MSE over the square of the reference's mean radiosity; mean
     double relative_error = 0.0; ///< [1] standard error of `relative`; 0 with one execution
     double seconds = 0.0;        ///< [s] processor time of one execution on one thread, with preparation: mean
+    double setting = 0.0;        ///< [1] what the study varies beside the lines: N_l / N_g, or the threshold over (4)
+    std::string rule = {};       ///< what chose the ratio, as --ratio names it; empty: the study
     /// True if the fit uses this point: the error of the reference is small beside the error of the point, or unknown.
     bool above_reference = true;
 };
 
 /// Quantity on the horizontal axis of a convergence plot.
 enum class Abscissa {
-    lines,  ///< number of lines of an execution, local and global
-    seconds ///< [s] processor time of an execution on one thread
+    lines,    ///< number of lines of an execution, local and global
+    seconds,  ///< [s] processor time of an execution on one thread
+    ratio,    ///< [1] N_l / N_g
+    threshold ///< [1] threshold of the extended first shot over that of (4)
 };
 
 double abscissa(const CurvePoint& point, Abscissa against);
@@ -68,18 +88,27 @@ double abscissa(const CurvePoint& point, Abscissa against);
 /// above 0.
 std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa against = Abscissa::lines);
 
+/// Fits the law to `relative` against the setting, with equal weight of relative deviations, for the points with
+/// above_reference. Nothing for fewer than three different ratios, or if the least error is at none of them.
+std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points);
+
+/// The 95 % confidence interval of a law's best ratio, from its low end to its high end.
+std::array<double, 2> best_ratio_interval(const RatioLaw& law);
+
 struct Curve
 {
     CurveKind kind;
-    std::vector<CurvePoint> points; ///< in order of increasing numbers of lines
-    std::optional<PowerLaw> law;    ///< fit(points)
+    std::vector<CurvePoint> points;         ///< in order of increasing numbers of lines, or of what the study varies
+    std::optional<PowerLaw> law;            ///< fit(points)
+    std::optional<RatioLaw> ratio_law = {}; ///< fit_ratio(points), if the study varies the ratio
 };
 
 /// The result of a convergence study: how the error of several methods falls with the number of lines.
 struct Study
 {
     std::vector<Curve> curves;
-    int executions = 1; ///< number of executions that each point is the mean of
+    int executions = 1;                ///< number of executions that each point is the mean of
+    Abscissa varied = Abscissa::lines; ///< what differs between the points of a curve: lines, ratio or threshold
     /// [1] Estimated relative MSE of the reference; nothing if unknown.
     std::optional<double> reference_relative_square;
 };

@@ -26,8 +26,27 @@ std::string point_text(const Study& study, const CurvePoint& point)
 {
     const std::string spread =
         study.executions > 1 ? format(" +- %3.0f %%", 100.0 * point.relative_error / point.relative) : "";
-    return format("  %12" PRIu64 "  %12.0f  %12.0f  %11.4e%s%s  %10.3g\n", point.lines, point.local_lines,
-                  point.global_lines, point.relative, spread.c_str(), point.above_reference ? " " : "*", point.seconds);
+    const std::string first =
+        study.varied == Abscissa::lines ? std::to_string(point.lines) : format("%.4g", point.setting);
+    return format("  %12s  %12.0f  %12.0f  %11.4e%s%s  %10.3g%s\n", first.c_str(), point.local_lines,
+                  point.global_lines, point.relative, spread.c_str(), point.above_reference ? " " : "*", point.seconds,
+                  point.rule.empty() ? "" : ("  by " + rule_words(point.rule)).c_str());
+}
+
+/// The least error of the law, and the error of each rule as a multiple of it.
+std::string ratio_law_text(const Curve& curve)
+{
+    if (!curve.ratio_law)
+        return "  least error: at an end of the range, or too few points\n";
+    const double least = curve.ratio_law->at(curve.ratio_law->best());
+    const auto [low, high] = best_ratio_interval(*curve.ratio_law);
+    std::string text = format("  least error %.4e at ratio %.3g (95 %%: %.3g to %.3g), by a fitted curve\n", least,
+                              curve.ratio_law->best(), low, high);
+    for (const CurvePoint& point : curve.points)
+        if (!point.rule.empty())
+            text += format("  at the ratio %.3g of %s: %.2f times the least\n", point.setting,
+                           rule_words(point.rule).c_str(), curve.ratio_law->at(point.setting) / least);
+    return text;
 }
 
 std::string law_text(const Curve& curve)
@@ -53,6 +72,17 @@ std::string slope_words(const std::optional<PowerLaw>& law, int decimals)
     return law ? fixed(law->exponent, decimals) + " ± " + fixed(exponent_interval(*law), decimals) : "none";
 }
 
+std::string rule_words(const std::string& rule)
+{
+    return rule == "auto" ? "(3)" : "pilot";
+}
+
+const char* abscissa_name(Abscissa quantity)
+{
+    constexpr std::array<const char*, 4> names = {"lines", "seconds", "ratio", "threshold"};
+    return names[static_cast<std::size_t>(quantity)];
+}
+
 std::string curve_label(const Study& study, const Curve& curve)
 {
     std::string label = curve.kind.method;
@@ -74,11 +104,14 @@ std::string study_text(const Study& study)
         text += format("every point is the mean of %d executions\n", study.executions);
     for (const Curve& curve : study.curves) {
         text += "\n" + curve_label(study, curve) + "\n";
-        text += format("  %12s  %12s  %12s  %s%s  %10s\n", "lines", "local", "global", "relative MSE",
-                       study.executions > 1 ? "        " : "", "seconds");
+        text += format("  %12s  %12s  %12s  %s%s  %10s\n", abscissa_name(study.varied), "local", "global",
+                       "relative MSE", study.executions > 1 ? "        " : "", "seconds");
         for (const CurvePoint& point : curve.points)
             text += point_text(study, point);
-        text += "  " + law_text(curve);
+        if (study.varied == Abscissa::lines)
+            text += "  " + law_text(curve);
+        if (study.varied == Abscissa::ratio)
+            text += ratio_law_text(curve);
     }
     return text;
 }
@@ -89,7 +122,9 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
     if (study.reference_relative_square)
         csv += format("# reference_relative_mse: %.17g\n", *study.reference_relative_square);
     csv += "method,sequence,lines,local_lines,global_lines,mse,relative_mse,standard_error,seconds,slope,slope_error,"
-           "in_fit,replicates,pairing,chords,line_order\n";
+           "in_fit,replicates,pairing,chords,line_order";
+    const bool varied = study.varied != Abscissa::lines;
+    csv += (varied ? "," + std::string(abscissa_name(study.varied)) + ",rule" : "") + "\n";
     for (const Curve& curve : study.curves)
         for (const CurvePoint& p : curve.points) {
             const std::string slope =
@@ -99,7 +134,8 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
                           p.relative) +
                    (study.executions > 1 ? format("%.17g", p.relative_error) : "") + format(",%.4g,", p.seconds) +
                    slope + format(",%d,%d,", p.above_reference ? 1 : 0, study.executions) + curve.kind.pairing + "," +
-                   curve.kind.chords + "," + curve.kind.line_order + "\n";
+                   curve.kind.chords + "," + curve.kind.line_order +
+                   (varied ? format(",%.6g,", p.setting) + p.rule : "") + "\n";
         }
     return csv;
 }

@@ -15,6 +15,12 @@ std::string fixed(double value, int decimals);
 /// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
 std::string slope_words(const std::optional<PowerLaw>& law, int decimals = 3);
 
+/// "lines", "seconds", "ratio" or "threshold".
+const char* abscissa_name(Abscissa quantity);
+
+/// CurvePoint::rule in words: "(3)" or "pilot".
+std::string rule_words(const std::string& rule);
+
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
 /// Pairing, chords and line order are each appended if another curve of the same method differs in it.
 std::string curve_label(const Study& study, const Curve& curve);
@@ -32,7 +38,8 @@ std::string study_text(const Study& study);
 /// Formats a study as CSV with one row per point and the columns method, sequence, lines, local_lines, global_lines,
 /// mse [W^2/m^4], relative_mse [1], standard_error (of relative_mse; empty with one execution), seconds [s], slope and
 /// slope_error (of the curve; empty without a fit), in_fit (1 if the fit uses the point, else 0), replicates (number of
-/// executions), pairing, chords and line_order. The comments come first.
+/// executions), pairing, chords and line_order; if the study varies the ratio or the threshold, also that, and the rule
+/// that chose it (auto or measured, for a ratio). The comments come first.
 std::string study_csv(const Study& study, const std::vector<std::string>& comments);
 
 } // namespace multipath

@@ -14,6 +14,30 @@ table_and_plot() {
 }
 check "a study prints its table and writes CSV and SVG" table_and_plot
 
+# The first point is like a run of solve with the same option, but for its seed. The rules of a ratio are points, too: (3),
+# and a pilot.
+varied() {
+    room="$root/scenes/4chairs-up.obj --patch-size 0.5"
+    curve="--to 2^12 --replicates 1 --methods extended --sequences sobol"
+    for words in "--ratios 1/4,1..4|--ratio 0.25|1,2,4,auto,measured" "--thresholds 0,0.5..2|--threshold 0|0.5,1,2"; do
+        rest=${words#*|} option=${rest%|*}
+        ends 0 study $room $curve ${words%%|*} -o varied.csv -o varied.svg && grep -q '</svg>' varied.svg || return
+        ends 0 solve $room --lines 2^12 --method extended $option -q -o run.csv &&
+            ends 0 compare run.csv varied.cache/reference-*.csv || return
+        awk 'FNR == NR { if (/^MSE/) { gsub(",", ""); want = $5 } next } !/^#/ && $1 ~ /^extended/ && !done++ { split($0, f, ","); got = f[7] }
+            END { exit !(got / want > 0.8 && got / want < 1.25) }' out varied.csv || { cat out varied.csv; return 1; }
+        [ "$(grep -c '^extended' varied.csv)" -eq "$(echo "$option,${rest#*|}" | tr ',' '\n' | wc -l)" ] || return
+    done
+    ends 0 study $room $curve --sequences random --ratios 1/16..16 --replicates 2 && says out "least error" &&
+        says out "of (3)" && says out "of pilot" || return
+    for wrong in "--ratios 2..1" "--ratios 0..1" "--ratios x" "--ratios 1/0" "--ratios 1 --thresholds 1" "--ratios 1 --from 2^10" \
+        "--ratios 1 --ratio 2" "--thresholds 1 --threshold 2" "--ratios 1 --against seconds" "--ratios 1 --methods local" \
+        "--thresholds 1 --methods global" "--ratios 1 --power-per-line 1"; do
+        ends 2 study $room --to 2^10 $wrong || return
+    done
+}
+check "a study varies the ratio and the threshold, and refuses what cannot be" varied
+
 without_times() { sed 's/"[^"]*"/Q/' "$1" | awk -F, -v OFS=, '/^#/ || $1 == "method" { print; next } { $9 = ""; print }'; }
 resumes() {
     cp a.csv before.csv && ends 0 study "$scene" $few --methods global,reuse --sequences random,halton:2,7,3,5 -o a.csv &&

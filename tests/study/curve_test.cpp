@@ -62,4 +62,58 @@ TEST_CASE("intervals of 95 % hold the true slope in 95 % of cases")
     CHECK(held / static_cast<double>(trials) == doctest::Approx(0.95).epsilon(0.025));
 }
 
+namespace {
+
+/// A point with the error local / N_l + global / N_g of N lines, times a factor.
+CurvePoint point_at(double ratio, double local, double global, double factor = 1.0)
+{
+    CurvePoint point;
+    point.setting = ratio;
+    point.relative = factor * (local * (1.0 + 1.0 / ratio) + global * (1.0 + ratio));
+    return point;
+}
+
+} // namespace
+
+TEST_CASE("points on the law of ratios give it back, and rules are points like others")
+{
+    std::vector<CurvePoint> points;
+    for (const double ratio : {0.25, 0.5, 1.0, 4.0})
+        points.push_back(point_at(ratio, 3e-3, 12e-3));
+    points[1].rule = "auto";
+    const auto law = fit_ratio(points);
+    REQUIRE(law);
+    CHECK(law->local == doctest::Approx(3e-3).epsilon(1e-9));
+    CHECK(law->global == doctest::Approx(12e-3).epsilon(1e-9));
+    CHECK(law->best() == doctest::Approx(0.5).epsilon(1e-9));
+    CHECK(law->at(0.5) == doctest::Approx(27e-3).epsilon(1e-9));
+    CHECK(law->log_error < 1e-6);
+}
+
+TEST_CASE("a least error outside of the ratios, or fewer than three of them, give no law")
+{
+    std::vector<CurvePoint> points = {point_at(1.0, 1.0, 100.0), point_at(2.0, 1.0, 100.0), point_at(4.0, 1.0, 100.0)};
+    CHECK(!fit_ratio(points)); // the least is at 0.1
+    points.push_back(point_at(0.05, 1.0, 100.0));
+    CHECK(fit_ratio(points));
+    points[1].above_reference = points[2].above_reference = false;
+    CHECK(!fit_ratio(points));
+}
+
+// As for slopes: the intervals of nine points with errors of up to 10 %.
+TEST_CASE("intervals of 95 % hold the best ratio in 95 % of cases")
+{
+    constexpr int trials = 2000;
+    int held = 0;
+    for (std::uint64_t trial = 0; trial < trials; ++trial) {
+        std::vector<CurvePoint> points;
+        for (std::uint64_t k = 0; k < 9; ++k)
+            points.push_back(point_at(std::exp2(static_cast<double>(k) - 4.0), 2.0, 1.0,
+                                      0.9 + 0.2 * bits_to_unit(random_bits(trial, k))));
+        const auto [low, high] = best_ratio_interval(*fit_ratio(points));
+        held += low <= std::sqrt(2.0) && std::sqrt(2.0) <= high ? 1 : 0;
+    }
+    CHECK(held / static_cast<double>(trials) == doctest::Approx(0.95).epsilon(0.02));
+}
+
 } // namespace curve_test
