@@ -140,10 +140,12 @@ std::set<double> read_numbers(const CommandLine& line, const std::string& name)
     for (const std::string& entry : read_list(line, name)) {
         const std::size_t dots = std::min(entry.find(".."), entry.size());
         const double low = read_number(entry.substr(0, dots));
-        const double high = dots < entry.size() ? read_number(entry.substr(dots + 2)) : low;
-        if (dots < entry.size() && !(low > 0.0 && low <= high))
-            throw UsageError(option + ": expected LOW..HIGH with 0 < LOW <= HIGH, got " + quoted_argument(entry));
         numbers.insert(low);
+        if (dots == entry.size())
+            continue;
+        const double high = read_number(entry.substr(dots + 2));
+        if (!(low > 0.0 && low <= high))
+            throw UsageError(option + ": expected LOW..HIGH with 0 < LOW <= HIGH, got " + quoted_argument(entry));
         for (double number = 2.0 * low; number <= high; number *= 2.0)
             numbers.insert(number);
     }

@@ -28,7 +28,7 @@ varied() {
             END { exit !(got / want > 0.8 && got / want < 1.25) }' out varied.csv || { cat out varied.csv; return 1; }
         [ "$(grep -c '^extended' varied.csv)" -eq "$(echo "$option,${rest#*|}" | tr ',' '\n' | wc -l)" ] || return
     done
-    ends 0 study $room $curve --sequences random --ratios 1/16..16 --replicates 2 && says out "least error" &&
+    ends 0 study $room --to 2^12 --methods extended --sequences random --ratios 1/16..16 --replicates 2 && says out "least error" &&
         says out "of (3)" && says out "of pilot" || return
     for wrong in "--ratios 2..1" "--ratios 0..1" "--ratios x" "--ratios 1/0" "--ratios 1 --thresholds 1" "--ratios 1 --from 2^10" \
         "--ratios 1 --ratio 2" "--thresholds 1 --threshold 2" "--ratios 1 --against seconds" "--ratios 1 --methods local" \

@@ -30,8 +30,8 @@ BudgetFigures extended_figures(BudgetFigures figures);
 double intersections_per_line(const Scene& scene);
 
 /// [W/m^2] Radiosity that every patch keeps unshot in the first shot and the extended first shot: the mean reflected
-/// radiosity if the light were evenly distributed ((4) in docs/equations.md). Infinite if nothing absorbs: then nothing
-/// is shot.
+/// radiosity if the light were evenly distributed ((4) in docs/equations.md), with the means of the channels of power
+/// and reflectance. Infinite if nothing absorbs: then nothing is shot.
 double threshold_radiosity(const Scene& scene);
 
 /// N_l, the number of local lines if `lines` = N_l + N_g lines have the ratio N_l / N_g = ratio >= 0, rounded to a

@@ -95,9 +95,10 @@ Particles plan_particles(const Scene& scene, const PowerState& state, std::uint6
 Rgb scored_power(const Scene& scene, const ParticleStep& step, Estimator estimator);
 
 /// Phi_T local Monte Carlo ((L1) in docs/equations.md): particles of about equal power carry away all unshot power of
-/// the run. They are reflected with probability rho, and continue from a uniform point of the patch that they hit. Uses
-/// the remaining lines, to about 1 %, since the lengths of paths are random. The noise of Russian roulette goes into
-/// PowerState::surplus. If the run is stopped, the power of particles that did not start stays unshot. A Stage.
+/// the run. They are reflected with the probability mean(rho) over the channels, with rho / mean(rho) times their
+/// power, and continue from a uniform point of the patch that they hit. Uses the remaining lines, to about 1 %, since
+/// the lengths of paths are random. The noise of Russian roulette goes into PowerState::surplus. If the run is stopped,
+/// the power of particles that did not start stays unshot.
 void cast_particles(Run& run);
 
 } // namespace multipath

@@ -40,9 +40,9 @@ struct PilotSums
     double mean_rho_squared = 0.0; ///< [1] <rho^2>
 };
 
-/// What a patch received by a single pass, in rays of equal power, has a variance of I times this power, which is not
-/// one of the light, and is subtracted from <b^2>. After several passes b is at most the threshold: nothing is
-/// subtracted.
+/// After a single pass, b contains the noise of what the patch received: the variance of I, which came in rays of equal
+/// power, is I times this power. It is subtracted from <b^2>, which is meant without noise. After several passes b is
+/// at most the threshold: nothing is subtracted.
 PilotSums sums_of(const Scene& scene, const PilotShot& pilot)
 {
     PilotSums sums;

@@ -11,24 +11,6 @@ namespace multipath {
 
 namespace {
 
-/// [W^2] Upper estimate of the variance of the power that independent lines send as forecast (G3), mean of the
-/// channels. A patch with unshot power U that expects n lines sends U / n along each of them, with variance U^2 / n if
-/// it were alone. A line that leaves several such patches sends their forecasts together; the variance of that sum is
-/// at most their number times the sum of their variances.
-double forecast_variance(const Scene& scene, const GlobalLines& lines, const GlobalPass& pass, const PowerState& state)
-{
-    const double departures_per_area =
-        lines.expected_crossings(1.0, pass.lines_cast) * (pass.bidirectional ? 1.0 : 0.5); // (G1)
-    double sum = 0.0;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double unshot = mean(state.unshot[i]);
-        sum += unshot * unshot / (departures_per_area * scene.area(i));
-    }
-    const double departures_per_line =
-        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // the mean
-    return sum * std::max(2.0, departures_per_line);
-}
-
 /// The lines of a pass, with the walk that follows their segments.
 struct GlobalStage
 {
@@ -46,6 +28,24 @@ struct GlobalStage
     const LineBlocks plan;
     PowerWalk walk;
 };
+
+/// [W^2] Estimate of the variance of the power that independent lines send as forecast (G3), mean of the
+/// channels. A patch with unshot power U that expects n lines sends U / n along each of them, with variance U^2 / n if
+/// it were alone. A line that leaves several such patches sends their forecasts together; the variance of that sum is
+/// at most their number, here the mean number, times the sum of their variances.
+double forecast_variance(const Scene& scene, const GlobalLines& lines, const GlobalPass& pass, const PowerState& state)
+{
+    const double departures_per_area =
+        lines.expected_crossings(1.0, pass.lines_cast) * (pass.bidirectional ? 1.0 : 0.5); // (G1)
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double unshot = mean(state.unshot[i]);
+        sum += unshot * unshot / (departures_per_area * scene.area(i));
+    }
+    const double departures_per_line =
+        departures_per_area * scene.total_area() / static_cast<double>(pass.lines_cast); // the mean
+    return sum * std::max(2.0, departures_per_line);
+}
 
 } // namespace
 

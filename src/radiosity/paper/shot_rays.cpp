@@ -14,7 +14,7 @@ namespace multipath {
 
 namespace {
 
-/// The rays of all shots, in order, and how many of the present shot arrived at each receiver.
+/// The rays of all shots, in order, and how many of the current shot arrived at each receiver.
 struct ShotStage
 {
     using Block = RayBlock;
@@ -35,44 +35,44 @@ struct ShotStage
     {
         const std::uint64_t first = lines().first(number);
         rays.for_range(first, block.receivers.size(), [&](std::uint32_t shot, std::uint64_t ray, std::size_t count) {
-            if (shot != present)
+            if (shot != current_shot)
                 deposit();
-            present = shot;
+            current_shot = shot;
             const auto begin = static_cast<std::size_t>(ray - first);
             for (std::size_t k = begin; k < begin + count; ++k)
-                if (const std::size_t place = place_of(block.receivers[k]); counts[place]++ == 0)
-                    touched.push_back(place);
+                if (const std::size_t receiver = receiver_index(block.receivers[k]); counts[receiver]++ == 0)
+                    reached.push_back(receiver);
         });
         return block.receivers.size();
     }
     /// Adds the power of the counted rays to the state (S1), and resets the counts.
     void deposit()
     {
-        for (const std::size_t place : touched) {
-            const Rgb power = static_cast<double>(counts[place]) * shots[present].power_per_ray;
-            counts[place] = 0;
-            if (place < scene.patch_count()) {
-                state.incident[place] += power;
-                state.unshot[place] += scene.reflectance(static_cast<std::uint32_t>(place)) * power;
+        for (const std::size_t receiver : reached) {
+            const Rgb power = static_cast<double>(counts[receiver]) * shots[current_shot].power_per_ray;
+            counts[receiver] = 0;
+            if (receiver < scene.patch_count()) {
+                state.incident[receiver] += power;
+                state.unshot[receiver] += scene.reflectance(static_cast<std::uint32_t>(receiver)) * power;
             } else {
-                (place == place_of(Segment::behind) ? state.behind : state.escaped) += power;
+                (receiver == receiver_index(Segment::behind) ? state.behind : state.escaped) += power;
             }
         }
-        touched.clear();
+        reached.clear();
     }
     void visit(Archive& archive)
     {
-        archive.value<std::uint64_t>("current shot", present);
+        archive.value<std::uint64_t>("current shot", current_shot);
         archive.list<std::uint64_t>("receivers", counts);
-        for (std::size_t place = 0; archive.reads() && place < counts.size(); ++place)
-            if (counts[place] > 0)
-                touched.push_back(place);
-        if (present >= shots.size())
+        for (std::size_t receiver = 0; archive.reads() && receiver < counts.size(); ++receiver)
+            if (counts[receiver] > 0)
+                reached.push_back(receiver);
+        if (current_shot >= shots.size())
             throw ArchiveError("the state is damaged: no such rays");
         archive.object("state", state);
     }
     /// Index in `counts` of a patch, Segment::behind or Segment::outside.
-    std::size_t place_of(std::uint32_t receiver) const
+    std::size_t receiver_index(std::uint32_t receiver) const
     {
         return Segment::is_patch(receiver) ? receiver : scene.patch_count() + (receiver - Segment::behind);
     }
@@ -83,8 +83,8 @@ struct ShotStage
     const std::vector<Shot>& shots;
     PowerState& state;
     const Allotment rays = rays_of(shots);
-    std::uint64_t present = 0;             ///< the shot whose rays are being counted
-    std::vector<std::size_t> touched = {}; ///< places with a count above zero
+    std::uint64_t current_shot = 0;        ///< the shot whose rays are being counted
+    std::vector<std::size_t> reached = {}; ///< receivers with a count above zero, by their indices
     /// Of its rays, per patch, and of those that reach none.
     std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(std::size_t{scene.patch_count()} + 2);
 };

@@ -76,19 +76,19 @@ std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double
     std::vector<Shot> shots;
     if (!(power_by_line > 0.0))
         return shots;
-    Rgb excess;                                                                          // [W]
-    double wanted = rounding_offset(scene, state, threshold, power_by_line, seed, pass); // rays so far, not rounded
+    Rgb excess;                                                                              // [W]
+    double due_so_far = rounding_offset(scene, state, threshold, power_by_line, seed, pass); // rays so far, not rounded
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const double share = share_above(scene, state, threshold, i);
         if (share == 0.0)
             continue;
         excess += share * state.unshot[i];
-        const double deserved = share * mean(state.unshot[i]) / power_by_line;
-        const std::uint64_t before = whole_part(wanted);
-        wanted += deserved;
-        if (const std::uint64_t rays = whole_part(wanted) - before; rays > 0) {
-            // A patch that deserves 0.3 rays gets one in three of ten cases, with the power of a whole ray.
-            const double rays_expected = deserved < 1.0 ? deserved : static_cast<double>(rays);
+        const double rays_due = share * mean(state.unshot[i]) / power_by_line;
+        const std::uint64_t before = whole_part(due_so_far);
+        due_so_far += rays_due;
+        if (const std::uint64_t rays = whole_part(due_so_far) - before; rays > 0) {
+            // A patch that is worth 0.3 rays gets one in three of ten cases, with the power of a whole ray.
+            const double rays_expected = rays_due < 1.0 ? rays_due : static_cast<double>(rays);
             shots.push_back({i, rays, (share / rays_expected) * state.unshot[i]});
         }
     }
