@@ -13,11 +13,12 @@ struct Effort
     std::string shots_to; ///< lines of Figures 7 to 9, from 46875 on; 46875 * 2^5 = 1.5 million
     std::string reference_lines;
     std::string reuse_to; ///< lines of the curves of line reuse
+    std::string open_to;  ///< lines of the studies of ratio and threshold
     std::string replicates;
 };
 
-const Effort full_effort = {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "6"};
-const Effort quick_effort = {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "3"};
+const Effort full_effort = {"2^15", "2^21", "2^22", "1.5M", "16M", "2^21", "2^18", "6"};
+const Effort quick_effort = {"2^14", "2^19", "2^20", "375k", "2M", "2^17", "2^15", "3"};
 
 using Steps = std::vector<std::string>;
 
@@ -94,6 +95,19 @@ void add_reuse(Steps& list, const Effort& effort)
     }
 }
 
+/// The paper's open questions: whether (3) and (4) are the best ratio and the best threshold.
+void add_open_questions(Steps& list, const Effort& effort)
+{
+    const std::string lines = " --to " + effort.open_to + " --replicates " + effort.replicates;
+    const std::string sequences = " --sequences random,sobol";
+    for (const std::string scene : {"5cubes", "4chairs", "4chairs-up", "cornell"})
+        add_study(list, "ratio-" + scene,
+                  scene + " --methods first-shot,extended" + sequences + " --ratios 1/16..16" + lines);
+    for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"})
+        add_study(list, "threshold-" + scene,
+                  scene + " --methods extended" + sequences + " --thresholds 0,1/16..16" + lines);
+}
+
 } // namespace
 
 std::vector<std::string> paper_steps(bool quick)
@@ -103,6 +117,7 @@ std::vector<std::string> paper_steps(bool quick)
     add_sequences(list, effort);
     add_shots(list, effort);
     add_reuse(list, effort);
+    add_open_questions(list, effort);
     return list;
 }
 

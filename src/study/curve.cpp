@@ -148,4 +148,16 @@ std::array<double, 2> best_ratio_interval(const RatioLaw& law)
     return {law.best() / factor, law.best() * factor};
 }
 
+double error_over_least(double ratio, double best)
+{
+    return (best * best * (1.0 + 1.0 / ratio) + 1.0 + ratio) / ((1.0 + best) * (1.0 + best));
+}
+
+std::array<double, 2> error_over_least_interval(double ratio, const RatioLaw& law)
+{
+    const auto [low, high] = best_ratio_interval(law);
+    const auto [least, largest] = std::minmax({error_over_least(ratio, low), error_over_least(ratio, high)});
+    return {ratio > low && ratio < high ? 1.0 : least, largest};
+}
+
 } // namespace multipath

@@ -95,6 +95,12 @@ std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points);
 /// The 95 % confidence interval of a law's best ratio, from its low end to its high end.
 std::array<double, 2> best_ratio_interval(const RatioLaw& law);
 
+/// [1] Error at a ratio > 0 over the least error, where a law has its least error at `best` > 0.
+double error_over_least(double ratio, double best);
+
+/// The range of error_over_least() where `best` is in its 95 % confidence interval.
+std::array<double, 2> error_over_least_interval(double ratio, const RatioLaw& law);
+
 struct Curve
 {
     CurveKind kind;

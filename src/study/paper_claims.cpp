@@ -190,6 +190,52 @@ std::vector<Claim> paper_claims(const PaperFindings& f)
                       1.3)};
 }
 
+std::vector<Claim> ratio_claims(const PaperFindings& f, const std::string& rule)
+{
+    constexpr double little = 1.03;
+    std::vector<Claim> claims;
+    for (const auto& [name, title] : open_scenes)
+        for (const Curve& curve : f.study("ratio-" + std::string(name)).curves) {
+            Claim claim = {std::string(title) + ", " + curve.kind.method + ", " + curve.kind.sequence, "–", "–",
+                           Verdict::undecided};
+            const auto chosen = std::find_if(curve.points.begin(), curve.points.end(),
+                                             [&](const CurvePoint& point) { return point.rule == rule; });
+            if (const std::optional<RatioLaw>& law = curve.ratio_law; law && chosen != curve.points.end()) {
+                const auto [low, high] = best_ratio_interval(*law);
+                const auto [least, largest] = error_over_least_interval(chosen->setting, *law);
+                claim.expected = fixed(law->best(), 2) + " (" + fixed(low, 2) + " to " + fixed(high, 2) + ")";
+                claim.found = fixed(chosen->setting, 2) + ": " +
+                              fixed(error_over_least(chosen->setting, law->best()), 2) + " (" + fixed(least, 2) +
+                              " to " + fixed(largest, 2) + ")";
+                claim.verdict = largest < little ? Verdict::holds
+                                : least > little ? Verdict::differs
+                                                 : Verdict::undecided;
+            }
+            claims.push_back(claim);
+        }
+    return claims;
+}
+
+std::vector<Claim> threshold_claims(const PaperFindings& f)
+{
+    std::vector<Claim> claims;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Study& study = f.study("threshold-" + std::string(open_scenes[k][0]));
+        for (const Curve& curve : study.curves) {
+            const auto at = [&](double threshold) {
+                return *std::find_if(curve.points.begin(), curve.points.end(),
+                                     [&](const CurvePoint& point) { return point.setting == threshold; });
+            };
+            const auto times = [&](double threshold) { return ratio_of(at(threshold), at(1.0), study.executions); };
+            claims.push_back({std::string(open_scenes[k][1]) + ", " + curve.kind.sequence,
+                              words(times(0.25), 2) + "; " + words(times(4.0), 2),
+                              words(times(0.0), 2) + "; " + words(times(16.0), 2),
+                              std::max(between(times(0.0), 1.0, infinity), between(times(16.0), 1.0, infinity))});
+        }
+    }
+    return claims;
+}
+
 std::string verdict_word(Verdict verdict)
 {
     constexpr const char* words[] = {"holds", "undecided", "differs"};

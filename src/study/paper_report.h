@@ -84,6 +84,20 @@ struct Claim
 /// missing, and std::bad_optional_access if a scene has no ratio (3).
 std::vector<Claim> paper_claims(const PaperFindings& findings);
 
+/// Judges whether the rule ("auto": (3), "measured": a pilot) leaves at most 3 % more than the least error, for each
+/// curve of the studies ratio-SCENE, which vary the ratio. Throws std::out_of_range if a study is missing.
+std::vector<Claim> ratio_claims(const PaperFindings& findings, const std::string& rule);
+
+/// Judges for each study threshold-SCENE whether the threshold of (4) is better than none, and than one of 16 times
+/// (4).
+std::vector<Claim> threshold_claims(const PaperFindings& findings);
+
+/// The scenes of these studies: names of their files and titles.
+constexpr std::array<std::array<const char*, 2>, 4> open_scenes = {{{"5cubes", "5CUBES"},
+                                                                    {"4chairs", "4CHAIRS, downwards"},
+                                                                    {"4chairs-up", "4CHAIRS, upwards"},
+                                                                    {"cornell", "Cornell box"}}};
+
 /// The report of the reproduction as a self-contained HTML page: the statements of the paper beside the results, then
 /// every table and figure with an explanation. `folder` is the folder that holds the files of the figures. The comments
 /// go into the head of the page. Throws like paper_claims(), std::out_of_range if the command of a figure is missing,

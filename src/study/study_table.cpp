@@ -38,14 +38,16 @@ std::string ratio_law_text(const Curve& curve)
 {
     if (!curve.ratio_law)
         return "  least error: at an end of the range, or too few points\n";
-    const double least = curve.ratio_law->at(curve.ratio_law->best());
     const auto [low, high] = best_ratio_interval(*curve.ratio_law);
-    std::string text = format("  least error %.4e at ratio %.3g (95 %%: %.3g to %.3g), by a fitted curve\n", least,
-                              curve.ratio_law->best(), low, high);
+    std::string text = format("  least error %.4e at ratio %.3g (95 %%: %.3g to %.3g), by a fitted curve\n",
+                              curve.ratio_law->at(curve.ratio_law->best()), curve.ratio_law->best(), low, high);
     for (const CurvePoint& point : curve.points)
-        if (!point.rule.empty())
-            text += format("  at the ratio %.3g of %s: %.2f times the least\n", point.setting,
-                           rule_words(point.rule).c_str(), curve.ratio_law->at(point.setting) / least);
+        if (!point.rule.empty()) {
+            const auto [least_times, most_times] = error_over_least_interval(point.setting, *curve.ratio_law);
+            text += format("  at the ratio %.3g of %s: %.2f times the least (%.2f to %.2f)\n", point.setting,
+                           rule_words(point.rule).c_str(), error_over_least(point.setting, curve.ratio_law->best()),
+                           least_times, most_times);
+        }
     return text;
 }
 
