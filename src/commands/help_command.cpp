@@ -18,7 +18,6 @@ constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib n
 
   Kd r g b   diffuse reflectance, 0 to 1; one number is grey
   Ke r g b   emittance in W/m^2: power emitted per area
-  Ka r g b   ambient light, ignored; the emittance with --emission-from Ka
   map_Kd F   texture (PNG, JPEG, TGA, BMP or PPM), times Kd; -s, -o, -clamp
   map_Ke F   the same, times Ke; its surfaces emit the mean over all of them
 Everything else is ignored, and reported once. A material that no file defines
