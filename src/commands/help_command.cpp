@@ -40,19 +40,6 @@ patches of equal size.
 A bare name that is not a file here, such as 5cubes, is a bundled scene.
 )";
 
-constexpr const char* numbers_text = R"(The decimal separator is a point in every locale: 0.5, .5, 5e-1.
-
-  count           --lines 2^22        4194304, 4e6 or 4M; k, M, G: times 1000
-  share           --tolerance 1%      or 0.01; a bare 1 is refused, since it
-                                      could mean 1 % or 100 %
-  time            --time 90s          250ms, 90s, 5m, 2h; without unit: seconds
-  size of memory  --memory 2GB        512MB, 2GB, 1GiB; without unit: bytes
-  point           --eye 1,2.5,-3      x,y,z in metres, without spaces
-  picture         --size 800x600      width and height in pixels
-  shard           --shard 3/16        the third of sixteen shards
-
-)";
-
 constexpr const char* states_text = R"(A state is one file that holds a whole run: the scene, the options, the progress
 and the results so far. Ctrl-C leaves it complete. A later run resumes from it,
 and writes the same bytes as a run that was never interrupted.
@@ -150,9 +137,8 @@ int run_help(const CommandLine& line)
 
 std::vector<HelpTopic> help_topics()
 {
-    return {{"scenes", scenes_text},        {"methods", methods_text()}, {"sequences", sequences_text()},
-            {"numbers", numbers_text},      {"outputs", outputs_text()}, {"states", states_text},
-            {"exit-codes", exit_codes_text}};
+    return {{"scenes", scenes_text},     {"methods", methods_text()}, {"sequences", sequences_text()},
+            {"outputs", outputs_text()}, {"states", states_text},     {"exit-codes", exit_codes_text}};
 }
 
 Command help_command()
