@@ -81,22 +81,14 @@ std::string methods_text()
 std::string sequences_text()
 {
     std::string text = "Sequences of items, four numbers in [0, 1) for each line, --sequence NAME:\n\n";
-    std::vector<std::string> best_at_powers;
-    for (const SequenceKind& kind : sequence_kinds()) {
-        const std::string name = std::string(kind.name) + std::string(kind.arguments);
-        text += two_columns("  " + name, kind.summary, 28);
-        if (kind.fills_best_at_powers_of_two)
-            best_at_powers.emplace_back(kind.name);
-    }
-    return text +
-           "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
-           "count, as in hammersley:2^16. --seed is the seed of random and randomised\n"
-           "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
-           "out the first K items. --replicates takes the randomised form of a sequence.\n" +
-           wrapped_text("The number of lines should be a power of two for " + join(best_at_powers) + ".", 0, 0,
-                        page_width) +
-           "\n"
-           "'multipath points' draws sequences and measures how evenly they fill space.\n";
+    for (const SequenceKind& kind : sequence_kinds())
+        text += two_columns("  " + std::string(kind.name) + std::string(kind.arguments), kind.summary, 28);
+    return text + "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
+                  "count, as in hammersley:65536. --seed is the seed of random and randomised\n"
+                  "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
+                  "out the first K items. --replicates takes the randomised form of a sequence.\n"
+                  "The number of lines should be a power of two for those of Sobol.\n\n"
+                  "'multipath points' draws sequences and measures how evenly they fill space.\n";
 }
 
 std::string outputs_text()
