@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -174,14 +173,16 @@ private:
         return first_of(names, most_names);
     }
 
-    /// The surfaces with the largest counts, at most most_names of them.
-    static std::vector<std::uint32_t> largest(const std::vector<std::uint64_t>& counts)
+    /// The surfaces that lines meet from behind, those that most lines meet first.
+    std::vector<std::uint32_t> met_behind() const
     {
-        std::vector<std::uint32_t> order(counts.size());
-        std::iota(order.begin(), order.end(), 0u);
+        const std::vector<std::uint64_t>& counts = survey_.met_behind;
+        std::vector<std::uint32_t> order;
+        for (std::uint32_t s = 0; s < counts.size(); ++s)
+            if (counts[s] > 0)
+                order.push_back(s);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return counts[a] > counts[b]; });
-        order.resize(std::min(most_names, order.size()));
         return order;
     }
 
@@ -236,20 +237,14 @@ private:
         const double lost = share(report_.balance.behind);
         if (file_.sky_surfaces > 0 || !(lost > least_reported))
             return;
-        const std::vector<std::uint64_t>& counts = survey_.met_behind;
-        const std::vector<std::uint32_t> surfaces = largest(counts);
-        const auto whole = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
-        std::string text = format("%.3g %% of the power meets surfaces from behind and is lost: ", 100.0 * lost);
-        for (const std::uint32_t s : surfaces) {
-            const double percent = 100.0 * static_cast<double>(counts[s]) / whole;
-            if (s == surfaces[0] || percent >= 1.0)
-                text += (s == surfaces[0] ? "" : ", ") + name_of(s) + format(" %.0f %%", percent);
-        }
+        const std::vector<std::uint32_t> surfaces = met_behind();
+        const std::string text = format("%.3g %% of the power meets surfaces from behind and is lost", 100.0 * lost) +
+                                 (surfaces.empty() ? "" : ": " + names_of(surfaces));
         const bool matters = lost >= share_that_matters;
         std::vector<Advice> advice;
         if (matters)
             advice = {{Remedy::two_sided, "", "gives every face a back"}};
-        add("behind", place_of(surfaces[0]),
+        add("behind", surfaces.empty() ? file_.path : place_of(surfaces[0]),
             text + (matters ? "; reverse these faces if they look the wrong way, or close the solids that they belong "
                               "to (a box on the floor needs its bottom, a lamp its back)"
                             : ", too little to matter"),

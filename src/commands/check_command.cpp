@@ -9,7 +9,6 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace multipath {
@@ -21,7 +20,6 @@ struct Emitter
 {
     const Material* material;
     double area = 0.0; ///< [m^2]
-    Vec3 facing;       ///< area-weighted sum of the normals [m^2]
 
     Rgb power() const { return area * material->emittance; }
 };
@@ -30,25 +28,12 @@ std::vector<Emitter> emitters(const Scene& scene)
 {
     std::vector<Emitter> result;
     for (const Material& material : scene.materials())
-        result.push_back({&material, 0.0, {}});
-    for (std::size_t s = 0; s < scene.surfaces().size(); ++s) {
-        Emitter& emitter = result[scene.file().material[s]];
-        emitter.area += scene.surfaces()[s].area();
-        emitter.facing = emitter.facing + scene.surfaces()[s].area() * scene.surfaces()[s].normal();
-    }
+        result.push_back({&material});
+    for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
+        result[scene.file().material[s]].area += scene.surfaces()[s].area();
     const auto dark = [](const Emitter& e) { return e.material->emittance == Rgb{} || e.area == 0.0; };
     result.erase(std::remove_if(result.begin(), result.end(), dark), result.end());
     return result;
-}
-
-std::string facing_text(const Emitter& emitter)
-{
-    if (length(emitter.facing) < 0.99 * emitter.area)
-        return "several directions";
-    const Vec3 n = normalized(emitter.facing);
-    const char* word = n.y < -0.99 ? " (down)" : n.y > 0.99 ? " (up)" : "";
-    const auto tidy = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
-    return triple(tidy(n.x), tidy(n.y), tidy(n.z), 3) + word;
 }
 
 /// "27 W (28, 27, 26)"
@@ -76,8 +61,8 @@ std::string emitters_text(const Scene& scene)
 {
     std::string text;
     for (const Emitter& e : emitters(scene))
-        text += format("  %-20s %s from %.4g m^2, faces %s\n", e.material->name.c_str(),
-                       power_text(e.power(), scene.file(), 5).c_str(), e.area, facing_text(e).c_str());
+        text += format("  %-20s %s from %.4g m^2\n", e.material->name.c_str(),
+                       power_text(e.power(), scene.file(), 5).c_str(), e.area);
     if (const std::optional<Sun>& sun = scene.file().sun)
         text += format("  %-20s %s arrive from ", "the sun", power_text(scene.sun_power(), scene.file(), 5).c_str()) +
                 triple(sun->direction.x, sun->direction.y, sun->direction.z, 3) + "\n";
@@ -163,7 +148,6 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
         object.number("power_w", mean(e.power()));
         object.numbers("power_rgb_w", e.power());
         object.number("area_m2", e.area);
-        object.text("faces", facing_text(e));
         emitter_list.push_back(object);
     }
     json.objects("emitters", emitter_list);

@@ -18,7 +18,6 @@ constexpr const char* scenes_text = R"(A scene is a Wavefront OBJ file; mtllib n
 
   Kd r g b   diffuse reflectance, 0 to 1; one number is grey
   Ke r g b   emittance in W/m^2: power emitted per area
-  Ka r g b   ambient light, ignored; the emittance with --emission-from Ka
   map_Kd F   texture (PNG, JPEG, TGA, BMP or PPM), times Kd; -s, -o, -clamp
   map_Ke F   the same, times Ke; its surfaces emit the mean over all of them
 Everything else is ignored, and reported once. A material that no file defines
@@ -39,19 +38,6 @@ and five more for every four surfaces; other commands make a few thousand
 patches of equal size.
 
 A bare name that is not a file here, such as 5cubes, is a bundled scene.
-)";
-
-constexpr const char* numbers_text = R"(The decimal separator is a point in every locale: 0.5, .5, 5e-1.
-
-  count           --lines 2^22        4194304, 4e6 or 4M; k, M, G: times 1000
-  share           --tolerance 1%      or 0.01; a bare 1 is refused, since it
-                                      could mean 1 % or 100 %
-  time            --time 90s          250ms, 90s, 5m, 2h; without unit: seconds
-  size of memory  --memory 2GB        512MB, 2GB, 1GiB; without unit: bytes
-  point           --eye 1,2.5,-3      x,y,z in metres, without spaces
-  picture         --size 800x600      width and height in pixels
-  shard           --shard 3/16        the third of sixteen shards
-
 )";
 
 constexpr const char* states_text = R"(A state is one file that holds a whole run: the scene, the options, the progress
@@ -95,22 +81,14 @@ std::string methods_text()
 std::string sequences_text()
 {
     std::string text = "Sequences of items, four numbers in [0, 1) for each line, --sequence NAME:\n\n";
-    std::vector<std::string> best_at_powers;
-    for (const SequenceKind& kind : sequence_kinds()) {
-        const std::string name = std::string(kind.name) + std::string(kind.arguments);
-        text += two_columns("  " + name, kind.summary, 28);
-        if (kind.fills_best_at_powers_of_two)
-            best_at_powers.emplace_back(kind.name);
-    }
-    return text +
-           "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
-           "count, as in hammersley:2^16. --seed is the seed of random and randomised\n"
-           "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
-           "out the first K items. --replicates takes the randomised form of a sequence.\n" +
-           wrapped_text("The number of lines should be a power of two for " + join(best_at_powers) + ".", 0, 0,
-                        page_width) +
-           "\n"
-           "'multipath points' draws sequences and measures how evenly they fill space.\n";
+    for (const SequenceKind& kind : sequence_kinds())
+        text += two_columns("  " + std::string(kind.name) + std::string(kind.arguments), kind.summary, 28);
+    return text + "\nBASES are coprime numbers, one for each dimension, as in halton:2,7,3,5; N is a\n"
+                  "count, as in hammersley:65536. --seed is the seed of random and randomised\n"
+                  "sequences (shifted, scrambled, permuted, from a random start); --skip K leaves\n"
+                  "out the first K items. --replicates takes the randomised form of a sequence.\n"
+                  "The number of lines should be a power of two for those of Sobol.\n\n"
+                  "'multipath points' draws sequences and measures how evenly they fill space.\n";
 }
 
 std::string outputs_text()
@@ -151,9 +129,8 @@ int run_help(const CommandLine& line)
 
 std::vector<HelpTopic> help_topics()
 {
-    return {{"scenes", scenes_text},        {"methods", methods_text()}, {"sequences", sequences_text()},
-            {"numbers", numbers_text},      {"outputs", outputs_text()}, {"states", states_text},
-            {"exit-codes", exit_codes_text}};
+    return {{"scenes", scenes_text},     {"methods", methods_text()}, {"sequences", sequences_text()},
+            {"outputs", outputs_text()}, {"states", states_text},     {"exit-codes", exit_codes_text}};
 }
 
 Command help_command()

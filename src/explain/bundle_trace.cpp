@@ -37,7 +37,7 @@ StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint6
             counted(directions, "direction", "directions") + ".",
         "This direction is " + point_text(bundle.direction()) + ". Through the smallest rectangle that hides the box " +
             counted(bundle.count(), "line is", "lines are") + " cast; each stands for" +
-            format(" %.4g%cm^2 of it. ", bundle.section(), tied_space) +
+            format(" %.4g m^2 of it. ", bundle.section()) +
             "Along a line that joins two patches, each sends the other its radiosity times twice that, over the number "
             "of directions (P1)."};
     trace.kind = "line";

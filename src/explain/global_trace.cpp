@@ -49,8 +49,8 @@ std::string power_sent(const Scene& scene, double crossings_per_area, bool both)
     const double crossings = crossings_per_area * area;
     const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
     return "Such chords cross a patch in proportion to its area, " +
-           format("%.4g times per square metre (G1). A patch of %.3g%cm^2, the mean, is crossed ", crossings_per_area,
-                  area, tied_space) +
+           format("%.4g times per square metre (G1). A patch of %.3g m^2, the mean, is crossed ", crossings_per_area,
+                  area) +
            format("%.4g times, and ", crossings) +
            (both ? "each crossing leaves its front in one of the line's two directions (M2)"
                  : "half of the lines leave its front") +
@@ -62,7 +62,7 @@ std::string power_sent(const Scene& scene, double crossings_per_area, bool both)
 /// "2 - 3": the numbers of the hits at the ends of a segment.
 std::string segment_number(const TracedLine& line, std::size_t after)
 {
-    return (after == 0 ? "start" : std::to_string(after)) + tied_space + "-" + tied_space +
+    return (after == 0 ? "start" : std::to_string(after)) + " - " +
            (after == line.crossings.size() ? "end" : std::to_string(after + 1));
 }
 
@@ -70,14 +70,13 @@ std::string segment_number(const TracedLine& line, std::size_t after)
 std::string transfer_text(const Scene& scene, const Transfer& transfer)
 {
     const bool received = Segment::is_patch(transfer.to);
-    std::string text = patch_name(scene, transfer.from) + " -> " +
-                       (received ? patch_name(scene, transfer.to) : "nowhere") + " sends" + tied_space;
+    std::string text =
+        patch_name(scene, transfer.from) + " -> " + (received ? patch_name(scene, transfer.to) : "nowhere") + " sends ";
     if (transfer.sent() == Rgb{})
         text += "nothing: it has no forecast and holds nothing";
     else
-        text += std::string("forecast") + tied_space + colour_text(transfer.forecast) + " + held " +
-                colour_text(transfer.held) + " = " + watts(transfer.sent()) +
-                (received ? "" : ", " + loss(transfer.to));
+        text += "forecast " + colour_text(transfer.forecast) + " + held " + colour_text(transfer.held) + " = " +
+                watts(transfer.sent()) + (received ? "" : ", " + loss(transfer.to));
     if (received)
         return text + "; patch " + std::to_string(transfer.to) + " reflects " +
                colour_text(scene.reflectance(transfer.to)) + " of what arrives and then holds " +
@@ -122,10 +121,7 @@ void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& wal
         if (Segment::is_patch(segment.from) || Segment::is_patch(segment.to))
             trace_segment(scene, options.bidirectional, after, walk, line);
     }
-    if (line.points.front() == line.points.back())
-        line.notes.push_back(
-            "the two points are equal: a chord of length 0, which is counted as cast and meets nothing");
-    else if (line.crossings.empty())
+    if (line.crossings.empty())
         line.notes.push_back("meets nothing: it is cast, as (G1) counts it, but carries no power");
     else if (line.notes.empty())
         line.notes.push_back("the line meets only sides without patches: it carries no power");

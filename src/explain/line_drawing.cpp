@@ -24,7 +24,6 @@ constexpr double drawing_width = 3.0 * page_margin + 2.0 * view_size;
 constexpr double drawing_height = head_height + view_size + foot_height;
 constexpr std::size_t most_numbered_lines = 8;
 constexpr std::size_t most_in_legend = 8;
-constexpr const char* outside_style = " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"";
 
 /// [px] with one decimal.
 std::string decimal(double value)
@@ -43,9 +42,6 @@ std::string circle(SvgPoint p, double radius, const std::string& style)
     return "<circle cx=\"" + decimal(p.x) + "\" cy=\"" + decimal(p.y) + "\" r=\"" + decimal(radius) + "\"" + style +
            "/>\n";
 }
-
-/// What the lines of a trace are chords of.
-enum class Around { nothing, sphere, box };
 
 /// A parallel projection of the scene into a square of the page.
 struct View
@@ -73,10 +69,11 @@ std::array<Vec3, 3> axes(Vec3 up_direction)
 }
 
 /// [scene units] Largest distance of anything drawn from the scene's centre, along any of the three axes.
-double reach(const Scene& scene, const StageTrace& trace, Around around, Vec3 up)
+/// `with_sphere`: the lines are chords of the sphere around the scene.
+double reach(const Scene& scene, const StageTrace& trace, bool with_sphere, Vec3 up)
 {
     const Bounds& box = scene.bounds();
-    double farthest = around == Around::sphere ? 0.5 * box.diagonal() : 0.0;
+    double farthest = with_sphere ? 0.5 * box.diagonal() : 0.0;
     const auto include = [&](Vec3 p) {
         for (const Vec3 axis : axes(up))
             farthest = std::max(farthest, std::abs(dot(p - box.centre(), axis)));
@@ -90,10 +87,10 @@ double reach(const Scene& scene, const StageTrace& trace, Around around, Vec3 up
     return farthest;
 }
 
-std::array<View, 2> views(const Scene& scene, const StageTrace& trace, Around around, Vec3 up_direction)
+std::array<View, 2> views(const Scene& scene, const StageTrace& trace, bool with_sphere, Vec3 up_direction)
 {
     const auto [right, up, to_viewer] = axes(up_direction);
-    const double scale = 0.49 * view_size / reach(scene, trace, around, up_direction);
+    const double scale = 0.49 * view_size / reach(scene, trace, with_sphere, up_direction);
     const Vec3 centre = scene.bounds().centre();
     const double y = head_height + 0.5 * view_size;
     return {{{"from above", right, to_viewer, centre, scale, {page_margin + 0.5 * view_size, y}},
@@ -107,20 +104,6 @@ std::string closed_path(const Surface& surface, const View& view)
     for (const Vec3 corner : corners_of(surface))
         shape += command_to(shape.empty() ? 'M' : 'L', view.at(corner));
     return shape + "Z";
-}
-
-/// The rectangle around the projection of the scene's box.
-std::string box_shape(const Bounds& box, const View& view)
-{
-    const Vec3 size = box.size();
-    const auto reach_along = [&](Vec3 axis) {
-        return 0.5 * view.scale * (std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z);
-    };
-    const double x = reach_along(view.right);
-    const double y = reach_along(view.down);
-    return svg_path(command_to('M', {view.middle.x - x, view.middle.y - y}) + "h" + decimal(2.0 * x) + "v" +
-                        decimal(2.0 * y) + "h" + decimal(-2.0 * x) + "Z",
-                    outside_style);
 }
 
 std::string scene_outlines(const Scene& scene, const View& view)
@@ -188,13 +171,12 @@ std::string crossings(const TracedLine& line, const View& view, const std::strin
     return text;
 }
 
-std::string picture(const Scene& scene, const StageTrace& trace, Around around, const View& view)
+std::string picture(const Scene& scene, const StageTrace& trace, bool with_sphere, const View& view)
 {
     std::string text = svg_text(view.middle.x, head_height - 8.0, view.name, SvgAnchor::middle, 13.0);
-    if (around == Around::sphere)
-        text += circle(view.middle, view.scale * 0.5 * scene.bounds().diagonal(), outside_style);
-    if (around == Around::box)
-        text += box_shape(scene.bounds(), view);
+    if (with_sphere)
+        text += circle(view.middle, view.scale * 0.5 * scene.bounds().diagonal(),
+                       " fill=\"#f7f7f7\" stroke=\"#b5b5b5\" stroke-width=\"1\"");
     text += scene_outlines(scene, view) + sources(scene, view);
     for (std::size_t k = 0; k < trace.lines.size(); ++k)
         text += segments(trace.lines[k], view, svg_series_colour(k));
@@ -203,7 +185,7 @@ std::string picture(const Scene& scene, const StageTrace& trace, Around around, 
     return text;
 }
 
-std::string legend(const StageTrace& trace, Around around)
+std::string legend(const StageTrace& trace, bool with_sphere)
 {
     const std::size_t count = trace.lines.size();
     std::vector<std::string> labels;
@@ -216,9 +198,7 @@ std::string legend(const StageTrace& trace, Around around)
            svg_text(page_margin, y + 22.0,
                     std::string("ring: start; arrowhead: end; numbers: surfaces in the order met; solid: from patch to "
                                 "patch; dashed: no exchange; yellow: sources") +
-                        (around == Around::sphere ? "; disc: the sphere"
-                         : around == Around::box  ? "; grey: the box"
-                                                  : ""),
+                        (with_sphere ? "; disc: the sphere" : ""),
                     SvgAnchor::start, 12.0);
 }
 
@@ -226,15 +206,13 @@ std::string legend(const StageTrace& trace, Around around)
 
 std::string draw_lines(const TracedRun& run, const StageTrace& trace, Vec3 up, const std::vector<std::string>& comments)
 {
-    const Around around = !trace.from_outside                     ? Around::nothing
-                          : chords_of(run.options) == Chords::box ? Around::box
-                                                                  : Around::sphere;
+    const bool with_sphere = trace.from_outside && chords_of(run.options) == Chords::sphere;
     std::string text = svg_head(drawing_width, drawing_height, trace.title, comments) +
                        svg_text(page_margin, 32.0, trace.title, SvgAnchor::start, 19.0) +
                        svg_text(page_margin, 52.0, run.scene.path() + ", " + run.settings, SvgAnchor::start, 12.0);
-    for (const View& view : views(run.scene, trace, around, up))
-        text += picture(run.scene, trace, around, view);
-    return text + legend(trace, around) + svg_end();
+    for (const View& view : views(run.scene, trace, with_sphere, up))
+        text += picture(run.scene, trace, with_sphere, view);
+    return text + legend(trace, with_sphere) + svg_end();
 }
 
 } // namespace multipath

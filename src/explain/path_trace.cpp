@@ -118,8 +118,8 @@ StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tr
                         path.transfers.push_back({path.joins.size() - 1, step.where, first, {}, power, power});
                     return patch_name(scene, step.where) +
                            (irradiance == Rgb{} ? ": adds nothing"
-                                                : ": adds " + colour_text(irradiance) + tied_space +
-                                                      "W/m^2 to the irradiance of patch " + std::to_string(first)) +
+                                                : ": adds " + colour_text(irradiance) +
+                                                      " W/m^2 to the irradiance of patch " + std::to_string(first)) +
                            survival_text(scene, step, "");
                 });
     return trace;

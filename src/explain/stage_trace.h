@@ -41,7 +41,7 @@ struct TracedRun
 struct StageTrace
 {
     std::string title;                ///< "Lines of the global pass"
-    std::vector<std::string> context; ///< paragraphs that explain the lines; with tied spaces (words.h)
+    std::vector<std::string> context; ///< paragraphs that explain the lines
     std::string kind;                 ///< name of one line, such as "walk"
     bool from_outside = false;        ///< the lines start on the sphere or box around the scene
     std::uint64_t count = 0;          ///< number of all lines of the stage

@@ -55,8 +55,7 @@ struct TracedLine
     std::vector<Crossing> crossings; ///< in order along the line
     std::vector<Transfer> transfers; ///< in the order in which they happen
     std::string opening; ///< where the line comes from; empty for a path, whose notes tell this and its hits
-    /// What it carries, in sentences. At the character tied_space (words.h), which stands for a space, no line is
-    /// broken.
+    /// What it carries, in sentences.
     std::vector<std::string> notes;
 };
 

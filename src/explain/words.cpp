@@ -13,12 +13,12 @@ std::string colour_text(Rgb colour)
     const std::string r = format("%.4g", colour.r);
     const std::string g = format("%.4g", colour.g);
     const std::string b = format("%.4g", colour.b);
-    return r == g && g == b ? r : "(" + r + "," + tied_space + g + "," + tied_space + b + ")";
+    return r == g && g == b ? r : "(" + r + ", " + g + ", " + b + ")";
 }
 
 std::string watts(Rgb power)
 {
-    return colour_text(power) + tied_space + "W";
+    return colour_text(power) + " W";
 }
 
 std::string point_text(Vec3 point)

@@ -5,16 +5,13 @@
 #include <cstdint>
 #include <string>
 
-// Words for what is traced. Sentences are broken into lines later, but not at a tied_space.
+// Words for what is traced.
 
 namespace multipath {
 
-/// Stands for a space at which no line is broken, such as between a number and its unit.
-constexpr char tied_space = '\x1f';
-
-/// "0.7", or "(0.7, 0.6, 0.5)" with tied spaces where the channels differ.
+/// "0.7", or "(0.7, 0.6, 0.5)" where the channels differ.
 std::string colour_text(Rgb colour);
-/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ, with tied spaces.
+/// "0.7 W", or "(0.7, 0.6, 0.5) W" where the channels differ.
 std::string watts(Rgb power);
 /// "(1.234, 0.500, -2.000)"
 std::string point_text(Vec3 point);

@@ -46,7 +46,7 @@ std::vector<Rgb> normal_colours(const Scene& scene)
     std::vector<Rgb> colours;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         const Vec3 n = scene.patch(i).shape.normal();
-        colours.push_back({0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z});
+        colours.push_back(srgb_decoded(Rgb{0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z}));
     }
     return colours;
 }

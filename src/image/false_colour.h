@@ -26,7 +26,8 @@ std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosit
 /// Absolute values of all channels.
 std::vector<Rgb> magnitudes(const std::vector<Rgb>& values);
 
-/// The unit normal of every patch as a colour: 0.5 + 0.5 n, with x in red, y in green and z in blue.
+/// The unit normal of every patch as a colour (linear light, 0 ... 1) whose sRGB value is 0.5 + 0.5 n, with x in red, y
+/// in green and z in blue.
 std::vector<Rgb> normal_colours(const Scene& scene);
 
 /// A pseudo-random colour (linear light, 0 ... 1) for each of `patches` patches, so that neighbours can be

@@ -93,23 +93,17 @@ std::vector<std::uint64_t> bases_or_default(const std::string& text, int dimensi
     return bases;
 }
 
-/// Arguments: the number of points, also as in "2^16", and after a colon the bases of the other dimensions.
+/// Arguments: the number of points, and after a colon the bases of the other dimensions.
 std::unique_ptr<Sequence> make_hammersley(const SequenceRequest& request)
 {
     const std::string& arguments = request.arguments;
-    const int dimensions = request.dimensions;
     const std::size_t colon = arguments.find(':');
     const std::string count = arguments.substr(0, colon);
     const std::string bases = colon == std::string::npos ? "" : arguments.substr(colon + 1);
-    if (count.size() > 2 && count.compare(0, 2, "2^") == 0) {
-        const std::vector<std::uint64_t> power = parse_list(count.substr(2));
-        if (power.size() == 1 && power[0] <= 52)
-            return make_hammersley_sequence(std::uint64_t{1} << power[0], bases_or_default(bases, dimensions - 1));
-    }
     const std::vector<std::uint64_t> number = count.empty() ? std::vector<std::uint64_t>{} : parse_list(count);
     if (number.size() != 1)
         throw std::invalid_argument("hammersley needs its number of points; expected for instance hammersley:65536");
-    return make_hammersley_sequence(number[0], bases_or_default(bases, dimensions - 1));
+    return make_hammersley_sequence(number[0], bases_or_default(bases, request.dimensions - 1));
 }
 
 std::unique_ptr<Sequence> make_halton(const SequenceRequest& request)
@@ -122,8 +116,6 @@ std::unique_ptr<Sequence> make_random(const SequenceRequest& request)
     return std::make_unique<RandomSequence>(request);
 }
 
-constexpr bool at_any_number = false;
-constexpr bool at_powers_of_two = true;
 constexpr bool in_selftest = true;
 
 } // namespace
@@ -132,25 +124,25 @@ const std::vector<SequenceKind>& sequence_kinds()
 {
     static const std::vector<SequenceKind> kinds = {
         {"random", "", "pseudo-random numbers by counter", "random", Randomisation::none, RandomStream::random_sequence,
-         make_random, at_any_number, in_selftest},
+         make_random, in_selftest},
         {"sobol", "", "Sobol's sequence", "sobol-owen", Randomisation::none, RandomStream::sobol_shift,
-         make_sobol_sequence, at_powers_of_two, in_selftest},
+         make_sobol_sequence, in_selftest},
         {"sobol-shift", "", "the same, shifted digit by digit", "sobol-shift", Randomisation::shift,
-         RandomStream::sobol_shift, make_sobol_sequence, at_powers_of_two, !in_selftest},
+         RandomStream::sobol_shift, make_sobol_sequence, !in_selftest},
         {"sobol-owen", "", "the same, nested uniform scrambling", "sobol-owen", Randomisation::scramble,
-         RandomStream::sobol_scrambling, make_sobol_sequence, at_powers_of_two, in_selftest},
+         RandomStream::sobol_scrambling, make_sobol_sequence, in_selftest},
         {"halton", "[:BASES]", "radical inverses in coprime bases", "halton-permuted", Randomisation::none,
-         RandomStream::halton_shift, make_halton, at_any_number, in_selftest},
+         RandomStream::halton_shift, make_halton, in_selftest},
         {"halton-shift", "[:BASES]", "the same, shifted modulo 1", "halton-shift", Randomisation::shift,
-         RandomStream::halton_shift, make_halton, at_any_number, !in_selftest},
+         RandomStream::halton_shift, make_halton, !in_selftest},
         {"halton-permuted", "[:BASES]", "the same, permuted digits", "halton-permuted", Randomisation::scramble,
-         RandomStream::halton_permutations, make_halton, at_any_number, in_selftest},
+         RandomStream::halton_permutations, make_halton, in_selftest},
         {"kronecker", "", "powers of a golden ratio, modulo 1", "kronecker-shift", Randomisation::none,
-         RandomStream::kronecker, make_kronecker_sequence, at_any_number, in_selftest},
+         RandomStream::kronecker, make_kronecker_sequence, in_selftest},
         {"kronecker-shift", "", "the same from a random start", "kronecker-shift", Randomisation::shift,
-         RandomStream::kronecker, make_kronecker_sequence, at_any_number, !in_selftest},
+         RandomStream::kronecker, make_kronecker_sequence, !in_selftest},
         {"hammersley", ":N[:BASES]", "N items, the first number n/N", "", Randomisation::none,
-         RandomStream::halton_shift, make_hammersley, at_any_number, !in_selftest},
+         RandomStream::halton_shift, make_hammersley, !in_selftest},
     };
     return kinds;
 }

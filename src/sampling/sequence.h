@@ -80,8 +80,7 @@ struct SequenceKind
     Randomisation randomisation;
     RandomStream stream; ///< of its random numbers
     std::unique_ptr<Sequence> (*make)(const SequenceRequest& request);
-    bool fills_best_at_powers_of_two; ///< true if the first 2^k points are more uniform than other numbers of points
-    bool in_selftest;                 ///< true if the selftest runs it
+    bool in_selftest; ///< true if the selftest runs it
 };
 
 /// All kinds of sequences, in the order of the help text.

@@ -3,7 +3,6 @@
 #include "base/elementary.h"
 #include "base/little_endian.h"
 #include "base/text_format.h"
-#include "explain/words.h"
 #include "export/html_text.h"
 #include "export/json.h"
 #include "export/mesh/patch_mesh.h"
@@ -182,9 +181,7 @@ JsonObject chapter_json(const Scene& scene, const StageTrace& chapter)
     std::vector<JsonObject> lines;
     for (const TracedLine& line : chapter.lines)
         lines.push_back(line_json(scene, line));
-    std::string note = join(chapter.context, " ");
-    std::replace(note.begin(), note.end(), tied_space, ' ');
-    return JsonObject().text("note", note).objects("lines", lines);
+    return JsonObject().text("note", join(chapter.context, " ")).objects("lines", lines);
 }
 
 /// The mapping of surfaces to their textures (TextureFrame), six numbers each; NaN for a surface without a texture.

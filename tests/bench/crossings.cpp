@@ -262,7 +262,7 @@ void compare_file(const std::string& path)
 {
     ObjChanges changes;
     changes.lit_from_outside = true; // lamps do not matter here
-    const SurfaceList surfaces = read_obj(path, EmissionFrom::ke, changes).surfaces;
+    const SurfaceList surfaces = read_obj(path, changes).surfaces;
     compare({path + ", " + std::to_string(surfaces.size()) + " surfaces", surfaces, {1}});
 }
 

@@ -2,7 +2,7 @@
 . "$2/tests/cli/check.sh"
 
 listed_commands() { "$program" --help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p'; }
-topics="scenes methods sequences numbers outputs states exit-codes"
+topics="scenes methods sequences outputs states exit-codes"
 
 same_help() {
     ends 0 --help && mv out wanted && ends 0 help && cmp out wanted && silent err || return

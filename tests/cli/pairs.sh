@@ -127,7 +127,6 @@ awk '/^o backs/ { exit } { print }' room.obj >fronts.obj
 { cat room.mtl; printf 'newmtl plain\nKd 0.1 0.15 0.1\n'; } >plain.mtl
 # Light in other words.
 sed '/^Ke/d' room.mtl >dark.mtl && with_mtl dark.mtl <room.obj >dark.obj
-sed 's/^Ke/Ka/' room.mtl >ambient.mtl && with_mtl ambient.mtl <room.obj >ambient.obj
 sed 's/^Ke .*/Ke 4096 3584 2560/' room.mtl >bright.mtl && with_mtl bright.mtl <room.obj >bright.obj
 sed 's/^Kd 0.8 0.85 0.75/Kd 0.62 0.62 0.62/; s/^Kd 0.7 /Kd 0.62 /; s/^Kd 0.2 0.4 0.7/Kd 0.2 0.4 0.62/; s/^Kd 0.65/Kd 0.62/' room.mtl >limited.mtl
 with_mtl limited.mtl <room.obj >limited.obj
@@ -236,7 +235,6 @@ while IFS='|' read -r how sentence first second; do
 done <<'END'
 bytes|a material emits by Ke or by --lamp                     |room.obj|dark.obj --lamp lamp=32,28,20
 bytes|an object emits by Ke or by --lamp                      |room.obj|dark.obj --lamp lights=32,28,20
-bytes|emission comes from Ke or from Ka                       |room.obj|ambient.obj --emission-from Ka
 bytes|an object is ignored or not in the file                 |no_box.obj|room.obj --ignore box
 bytes|so is one before textured faces                         |textured_no_box.obj|textured.obj --ignore box
 bytes|--flip and faces in the other order                     |room.obj|inside_out.obj --flip

@@ -66,9 +66,10 @@ finished() {
     rm -f done.state
     ends 0 solve "$scene" $quick --lines 20000 --state done.state -o first.csv && cp done.state before.state || return
     ends 0 solve "$scene" --patch-size 0.4 --lines 20000 --state done.state --resume -o again.csv &&
-        says err "resuming from done.state" && cmp first.csv again.csv && cmp done.state before.state
+        says err "resuming from done.state" && cmp first.csv again.csv && cmp done.state before.state || return
+    ends 0 solve "$scene" $quick --lines 20000 --from-state before.state --state copy.state -o again.csv && cmp before.state copy.state
 }
-check "a finished run that is resumed writes the same outputs and leaves the state alone" finished
+check "a finished run that is resumed writes the same outputs and the same state, into another file too" finished
 
 longer() {
     ends 0 solve "$scene" $quick --lines 80000 --state done.state --resume -o longer.csv || return

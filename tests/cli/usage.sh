@@ -34,7 +34,7 @@ check "every command that --help lists has its own help" command_help
 solve_options() {
     ends 0 solve --help || return
     for option in output json quiet method bidirectional line-order chords lines ratio power-per-line threshold steps estimator sequence pairing skip seed threads patch-size patches two-sided flip \
-        emission-from state save-every resume from-state shard show size help; do
+        state save-every resume from-state shard show size help; do
         grep -qE -- "^  (-.,|   ) --$option( |$)" out || { echo "--$option is missing:"; cat out; return 1; }
     done
 }

@@ -88,15 +88,12 @@ TEST_CASE("the surfaces are outlined: a cube is a square in both views")
                 CHECK(count(drawn({1, 0, 0}), format("%.1f", x) + y) >= 3); // of three sides or more
 }
 
-TEST_CASE("what the lines are chords of, the scene's sphere or its box, is drawn in both views")
+TEST_CASE("the sphere of which the lines are chords is drawn in both views")
 {
     const std::string sphere = drawn({1, 0, 0});
     CHECK(count(sphere, "r=\"186.7\"") == 2); // the square root of 3
     CHECK(count(sphere, "disc: the sphere") == 1);
     const std::string box = drawn({1, 0, 0}, {0, 1, 0}, Chords::box);
-    CHECK(count(box, "M142.2 196.2h215.6v215.6h-215.6Z") == 1);
-    CHECK(count(box, "M612.2 196.2h215.6v215.6h-215.6Z") == 1);
-    CHECK(count(box, "grey: the box") == 1);
     CHECK(count(box, "the sphere") == 0);
 }
 

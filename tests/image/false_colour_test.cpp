@@ -299,10 +299,10 @@ TEST_CASE("the colours of normals are those of the axes, opposite ones complemen
     builder.room({0, 0, 0}, {1, 1, 1}, builder.grey(0.5, 1.0));
     const std::vector<Rgb> colours = normal_colours(builder.scene(1.0)); // in the order of room()
     REQUIRE(colours.size() == 6);
-    CHECK(colours[0] == Rgb{0.5, 1.0, 0.5}); // the floor looks along y
-    CHECK(colours[1] == Rgb{0.5, 0.0, 0.5});
-    CHECK(colours[2] == Rgb{1.0, 0.5, 0.5});
-    CHECK(colours[5] == Rgb{0.5, 0.5, 0.0});
+    CHECK(colours[0] == srgb_decoded(Rgb{0.5, 1.0, 0.5})); // the floor looks along y
+    CHECK(colours[1] == srgb_decoded(Rgb{0.5, 0.0, 0.5}));
+    CHECK(colours[2] == srgb_decoded(Rgb{1.0, 0.5, 0.5}));
+    CHECK(colours[5] == srgb_decoded(Rgb{0.5, 0.5, 0.0}));
 }
 
 TEST_CASE("magnitudes have no sign")

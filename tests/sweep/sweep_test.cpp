@@ -42,7 +42,7 @@ void judge_file(const std::string& path, bool two_sided)
     changes.lit_from_outside = true;
     SceneFile file;
     try {
-        file = read_obj(path, EmissionFrom::ke, changes);
+        file = read_obj(path, changes);
     } catch (const std::exception& error) {
         MESSAGE("not judged: " << std::string(error.what()));
         return;

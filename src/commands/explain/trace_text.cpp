@@ -4,18 +4,11 @@
 #include "cli/options/help_text.h"
 #include "explain/words.h"
 
-#include <algorithm>
-
 namespace multipath {
 
 namespace {
 
 constexpr std::size_t text_width = 110;
-
-std::string padded(const std::string& text, std::size_t width)
-{
-    return text + std::string(width - std::min(width, column_count(text)), ' ');
-}
 
 std::string patch_number(std::uint32_t patch)
 {
@@ -25,16 +18,13 @@ std::string patch_number(std::uint32_t patch)
 /// A table of the hits in order, numbered from 1.
 std::string crossings_table(const Scene& scene, const std::vector<Crossing>& crossings)
 {
-    std::size_t name_width = 7;
-    for (const Crossing& crossing : crossings)
-        name_width = std::max(name_width, column_count(surface_name(scene, crossing.hit.surface)));
-    std::string text = "   no       t  " + padded("surface", name_width) + "  side   arrives at  leaves  point\n";
+    std::string text = "   no       t  side   arrives at  leaves  surface, point\n";
     for (std::size_t k = 0; k < crossings.size(); ++k) {
         const Crossing& crossing = crossings[k];
-        text += format("  %3zu  %.4f  %s  %-5s  %10s  %6s  %s\n", k + 1, crossing.hit.t,
-                       padded(surface_name(scene, crossing.hit.surface), name_width).c_str(),
+        text += format("  %3zu  %.4f  %-5s  %10s  %6s  %s, %s\n", k + 1, crossing.hit.t,
                        crossing.hit.front ? "front" : "back", patch_number(crossing.patches.arrives_at).c_str(),
-                       patch_number(crossing.patches.leaves).c_str(), point_text(crossing.point).c_str());
+                       patch_number(crossing.patches.leaves).c_str(), surface_name(scene, crossing.hit.surface).c_str(),
+                       point_text(crossing.point).c_str());
     }
     return text;
 }
@@ -52,9 +42,7 @@ std::string title(const StageTrace& trace, const LineOrigin& origin)
 
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others)
 {
-    std::string result = std::string(first, ' ') + wrapped_text(text, first, others, text_width);
-    std::replace(result.begin(), result.end(), tied_space, ' ');
-    return result;
+    return std::string(first, ' ') + wrapped_text(text, first, others, text_width);
 }
 
 std::string trace_text(const TracedRun& run, const StageTrace& trace)

@@ -9,8 +9,7 @@
 namespace multipath {
 
 /// Breaks a text between words into lines of at most 110 columns, each with its line feed; only a longer word exceeds
-/// the limit. The first line begins with `first` spaces, the others with `others` spaces. A tied_space
-/// (explain/words.h) becomes a space; no line is broken there.
+/// the limit. The first line begins with `first` spaces, the others with `others` spaces.
 std::string wrapped(const std::string& text, std::size_t first, std::size_t others);
 
 /// The trace as plain text, wrapped to 110 columns, for readers who do not know the paper: a heading about the run,

@@ -41,7 +41,7 @@ constexpr std::array known_quantities = {
                   [](const Scene&, const Solution& solution, int) { return magnitudes(solution.unshot); }},
     ShownQuantity{"patches", "each in its own colour", ShownAs::light_of_screen, "patches", false, false, false,
                   [](const Scene& scene, const Solution&, int) { return patch_colours(scene.patch_count()); }},
-    ShownQuantity{"normals", "0.5 + 0.5 n as red, green and blue", ShownAs::numbers_of_screen, "normals", false, false,
+    ShownQuantity{"normals", "0.5 + 0.5 n as red, green and blue", ShownAs::light_of_screen, "normals", false, false,
                   false, [](const Scene& scene, const Solution&, int) { return normal_colours(scene); }}};
 
 std::string help_of_shown()

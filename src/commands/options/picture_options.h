@@ -20,7 +20,6 @@ enum class ShownAs {
     directly_lit_room, ///< the same with light that was reflected only once
     false_colours,     ///< false colours of the mean of the channels, with a legend
     light_of_screen,   ///< the values are linear light of the screen; 1 is white
-    numbers_of_screen, ///< the values are sRGB pixel values of the file; 1 is white
 };
 
 /// A quantity that pictures show: one row of the table in picture_options.cpp.

@@ -27,9 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<NamedValue<EmissionFrom>, 2> emission_choices = {
-    {{"Ke", EmissionFrom::ke}, {"Ka", EmissionFrom::ka}}};
-
 constexpr std::array<NamedValue<double>, 5> unit_choices = {
     {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}}; // [m]
 
@@ -62,9 +59,7 @@ OptionGroup scene_option_group()
          {"unit-light", 0, "UNIT", "watt", "Unit of emittances and powers: W/m^2 and W, or photometric, lx and lm.",
           false, names_of(light_choices)},
          {"ignore", 0, "NAME", "", "Leave out the faces of a material, or else of an object or group.", true},
-         {"reflectance-limit", 0, "X", "1", "Reduce reflectances above X to X, for files whose white is 1 or more."},
-         {"emission-from", 0, "KEY", "Ke", "Key in the material file that gives the emittance.", false,
-          names_of(emission_choices)}}};
+         {"reflectance-limit", 0, "X", "1", "Reduce reflectances above X to X, for files whose white is 1 or more."}}};
 }
 
 std::string option_text(const Advice& advice)
@@ -186,10 +181,9 @@ Scene read_scene(const CommandLine& line, int threads)
     if (line.has("sun"))
         sun = read_sun(line.text("sun"),
                        line.knows("up") ? read_direction("--up", line.text("up")) : Vec3{0.0, 1.0, 0.0});
-    const EmissionFrom emission = line.choice("emission-from", emission_choices).value;
     const std::string path = scene_path(line);
     require_memory_for_file(line, path);
-    SceneFile file = read_obj(path, emission, changes);
+    SceneFile file = read_obj(path, changes);
     if (line.has("flip"))
         file = flipped(std::move(file));
     constexpr bool either_side = true; // which way surfaces face is decided when their light is known

@@ -36,14 +36,6 @@ namespace multipath {
 
 namespace {
 
-/// The linear light whose sRGB values are these colours.
-std::vector<Rgb> decoded(std::vector<Rgb> colours)
-{
-    for (Rgb& colour : colours)
-        colour = srgb_decoded(colour);
-    return colours;
-}
-
 ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, const Camera& camera,
                            const PictureOptions& options)
 {
@@ -53,8 +45,6 @@ ScreenImage screen_picture(const Scene& scene, const std::vector<Rgb>& values, c
         return picture(scene, values, camera, options.render, options.tone);
     case ShownAs::light_of_screen:
         return flat_picture(scene, values, camera, options.render);
-    case ShownAs::numbers_of_screen:
-        return flat_picture(scene, decoded(values), camera, options.render);
     case ShownAs::false_colours:
         break;
     }
@@ -330,9 +320,6 @@ std::vector<PlannedOutput> open_solution_outputs(const CommandLine& line, const 
     std::vector<std::string> names;
     std::vector<std::size_t> shown;
     for (const std::string& path : paths) {
-        const std::string ending = lower_case(path).substr(std::min(path.rfind('_'), path.size()));
-        if (ending == "_lightmap.obj" || ending == "_lightmap.mtl" || ending == "_lightmap.png")
-            throw UsageError("--output: '" + path + "': a lightmap is one file, which ends in _lightmap.glb");
         const bool several = views.size() > 1 && kind_of(path) == FormatKind::picture;
         if (several && path == "-")
             throw UsageError("--camera: standard output takes one picture, not one for each view; expected -o FILE");

@@ -194,7 +194,6 @@ void StateKeeper::resume(SavedRun saved)
 
 bool StateKeeper::wants_pause() const
 {
-    worked_ = true;
     return interrupted() || (!options_.path.empty() && Clock::now() >= next_save_);
 }
 
@@ -238,8 +237,7 @@ void StateKeeper::publish_shard_now()
 
 void StateKeeper::finish_now()
 {
-    const bool file_is_up_to_date = resumed_ && !worked_;
-    keep(file_is_up_to_date ? "" : options_.path);
+    keep(options_.path);
 }
 
 ResultFile::ResultFile(const std::string& path, const PatchTable* beside)

@@ -7,7 +7,6 @@
 #include "radiosity/run/solution.h"
 #include "scene/scene.h"
 
-#include <atomic>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -116,7 +115,6 @@ private:
     Clock::time_point next_save_;
     std::string last_bytes_;
     bool published_ = false;
-    mutable std::atomic<bool> worked_{false}; ///< false: nothing was done since the state was resumed
 };
 
 /// A result read from a table of patches (.csv) or from the state of a run. The content of the file decides which, not

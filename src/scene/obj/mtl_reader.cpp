@@ -1,5 +1,5 @@
 // An MTL file is a list of statements, one per line. `newmtl` begins a material; the statements after it describe this
-// material. Only Kd, Ke (or Ka) and their textures matter for diffuse light. All other statements are ignored, with a
+// material. Only Kd, Ke and their textures matter for diffuse light. All other statements are ignored, with a
 // warning that names the first 16 keywords; d is recorded for another message.
 
 #include "scene/obj/mtl_reader.h"
@@ -85,10 +85,7 @@ std::optional<std::string> find_texture(const std::string& mtl_path, const std::
 class MtlParser
 {
 public:
-    MtlParser(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library)
-        : path_(path), emission_from_(emission_from), library_(library), lines_(path)
-    {
-    }
+    MtlParser(const std::string& path, MaterialLibrary& library) : path_(path), library_(library), lines_(path) {}
     void parse()
     {
         TextLine line;
@@ -109,8 +106,8 @@ private:
             define(std::string(trimmed(rest)), line.place);
         else if (keyword == "Kd")
             set_reflectance(without_comment(rest), line.place);
-        else if (keyword == emission_keyword())
-            set_emittance(keyword, without_comment(rest), line.place);
+        else if (keyword == "Ke")
+            set_emittance(without_comment(rest), line.place);
         else if (keyword == "map_Kd" || keyword == "map_kd")
             set_map(keyword, rest, line.place, &MtlMaterial::reflectance_map);
         else if (keyword == "map_Ke" || keyword == "map_ke")
@@ -125,7 +122,7 @@ private:
 
     void ignore(std::string_view keyword, std::string_view rest, TextLocation place)
     {
-        flaws_.add("ignored, since only Kd and " + emission_keyword() + " count", place.line, keyword);
+        flaws_.add("ignored, since only Kd and Ke count", place.line, keyword);
         std::vector<std::string_view> unused;
         if (names_image(keyword))
             read_map(rest, unused);
@@ -160,15 +157,14 @@ private:
         current.material.reflectance = reflectance;
     }
 
-    void set_emittance(std::string_view keyword, std::string_view rest, TextLocation place)
+    void set_emittance(std::string_view rest, TextLocation place)
     {
-        MtlMaterial& current = current_material(keyword, place);
-        const Rgb emittance = value(keyword, rest, place, largest_emittance, current.emission_line);
+        MtlMaterial& current = current_material("Ke", place);
+        const Rgb emittance = value("Ke", rest, place, largest_emittance, current.emission_line);
         current.material.emittance = by_channel([](double e) { return e < smallest_emittance ? 0.0 : e; }, emittance);
         current.emission_too_small = current.material.emittance != emittance;
         if (current.emission_too_small)
-            library_.warnings.push_back(name_of(place) + ": " + subject(keyword) +
-                                        " is below 1e-30, which counts as 0");
+            library_.warnings.push_back(name_of(place) + ": " + subject("Ke") + " is below 1e-30, which counts as 0");
     }
 
     /// The colour in a statement that may occur once in a material; `line` is that of the earlier one, or 0.
@@ -287,10 +283,8 @@ private:
     {
         return std::string(keyword) + " of material " + in_quotes(library_.materials[*current_].material.name);
     }
-    std::string emission_keyword() const { return emission_from_ == EmissionFrom::ka ? "Ka" : "Ke"; }
 
     const std::string path_;
-    const EmissionFrom emission_from_;
     MaterialLibrary& library_;
     TextLines lines_;
     std::optional<std::uint32_t> current_;
@@ -300,9 +294,9 @@ private:
 
 } // namespace
 
-void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library)
+void read_mtl(const std::string& path, MaterialLibrary& library)
 {
-    MtlParser(path, emission_from, library).parse();
+    MtlParser(path, library).parse();
 }
 
 namespace {

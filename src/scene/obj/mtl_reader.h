@@ -32,7 +32,7 @@ struct MtlMaterial
     double opacity = 1.0;            ///< [1] `d`, for messages only, since all surfaces are opaque
     std::uint32_t kd_line = 0;       ///< line of `Kd`; 0 if missing: the material is black unless it has a `map_Kd`
     std::string flaw;                ///< "file:line: what is wrong" if the reflectance is above 1; otherwise empty
-    std::uint32_t emission_line = 0; ///< line of the `Ke` or `Ka` that gives the emittance; 0 if missing
+    std::uint32_t emission_line = 0; ///< line of the `Ke`; 0 if missing
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
     TextureMap opacity_map;          ///< `map_d`
@@ -55,7 +55,7 @@ struct MaterialLibrary
 /// warning. Other statements than Kd, the emission and their textures are ignored, with a warning. Throws InputError
 /// for a file that cannot be read; for a reflectance or an emission that is malformed, negative or before the first
 /// `newmtl`; for an emission above 1e30; and for a texture before the first `newmtl`.
-void read_mtl(const std::string& path, EmissionFrom emission_from, MaterialLibrary& library);
+void read_mtl(const std::string& path, MaterialLibrary& library);
 
 /// The files that a `mtllib` statement names.
 struct MtlFiles

@@ -50,7 +50,7 @@ std::string some_names(Names names)
 }
 
 /// Reads the MTL files that a mesh names, each once. Returns the names of missing ones.
-Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLibrary& library, SceneFile& scene)
+Names read_libraries(const ObjMesh& mesh, MaterialLibrary& library, SceneFile& scene)
 {
     Names missing;
     for (const ObjName& names : mesh.libraries) {
@@ -66,7 +66,7 @@ Names read_libraries(const ObjMesh& mesh, EmissionFrom emission_from, MaterialLi
             }
     }
     for (const std::string& file : scene.material_files)
-        read_mtl(file, emission_from, library);
+        read_mtl(file, library);
     append(scene.warnings, library.warnings);
     return missing;
 }
@@ -189,11 +189,11 @@ void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& m
 }
 
 /// Why a scene has no light. `used` and `unused`: the materials that surfaces have, and those that none has.
-std::string explain_darkness(const std::string& keyword, const ObjMesh& mesh, const Names& missing_files,
-                             const Names& unread_textures, const std::vector<MtlMaterial>& used,
-                             const std::vector<MtlMaterial>& unused, const SceneFile& scene)
+std::string explain_darkness(const ObjMesh& mesh, const Names& missing_files, const Names& unread_textures,
+                             const std::vector<MtlMaterial>& used, const std::vector<MtlMaterial>& unused,
+                             const SceneFile& scene)
 {
-    std::string problem = "no emitter, expected a face whose material has " + keyword + " above 0";
+    std::string problem = "no emitter, expected a face whose material has Ke above 0";
     if (mesh.libraries.empty())
         problem += "; no material file is named (`mtllib`)";
     const auto list = [&](const char* cause, const Names& names) {
@@ -287,7 +287,7 @@ std::string summary(const SceneFile& scene, const ObjMesh& mesh, std::size_t mer
 
 } // namespace
 
-SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const ObjChanges& changes)
+SceneFile read_obj(const std::string& path, const ObjChanges& changes)
 {
     ObjMesh mesh = parse_obj(path);
     for (Vec3& vertex : mesh.vertices)
@@ -296,7 +296,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
     scene.path = path;
     scene.warnings = mesh.warnings;
     MaterialLibrary library;
-    const Names missing_files = read_libraries(mesh, emission_from, library, scene);
+    const Names missing_files = read_libraries(mesh, library, scene);
     scene.texture_files = library.texture_files;
     name_materials(library, mesh);
     const std::vector<LampMaterial> lamps = apply(changes, mesh);
@@ -333,8 +333,7 @@ SceneFile read_obj(const std::string& path, EmissionFrom emission_from, const Ob
                                  [&](std::uint32_t m) { return scene.materials[m].emittance != Rgb{}; });
     std::optional<std::string> darkness;
     if (!lit && !changes.lit_from_outside)
-        darkness = explain_darkness(emission_from == EmissionFrom::ka ? "Ka" : "Ke", mesh, missing_files, unread, used,
-                                    library.materials, scene);
+        darkness = explain_darkness(mesh, missing_files, unread, used, library.materials, scene);
     require_physics(used, darkness, mesh, scene);
     scene.counts = summary(scene, mesh, merged_pairs);
     return scene;

@@ -8,8 +8,7 @@
 namespace multipath {
 
 /// Reads an OBJ file and the MTL files that it names. Lenient in syntax, strict in meaning: nothing that changes the
-/// light of the scene is dropped, guessed or clipped without a warning. `emission_from`: the MTL key (Ke or Ka) that
-/// gives the emittance.
+/// light of the scene is dropped, guessed or clipped without a warning.
 ///
 /// A parallelogram becomes one surface, even if the file has it as two triangles of the same material and group; other
 /// polygons become triangles, and so do textured parallelograms whose texture coordinates do not form a parallelogram.
@@ -19,7 +18,6 @@ namespace multipath {
 /// Throws SettingsError if a name in `changes` is not in the file or no face is left (see apply()), InputError for
 /// errors in the files and for scenes without a finite solution, or in which nothing emits unless
 /// changes.lit_from_outside is set.
-SceneFile read_obj(const std::string& path, EmissionFrom emission_from = EmissionFrom::ke,
-                   const ObjChanges& changes = {});
+SceneFile read_obj(const std::string& path, const ObjChanges& changes = {});
 
 } // namespace multipath

@@ -27,16 +27,6 @@ TEST_CASE("wrapped text has the same words in the same order on lines of at most
     CHECK(words == text);
 }
 
-TEST_CASE("no line ends between a number and its unit or within a colour")
-{
-    std::string text;
-    for (int k = 0; k < 60; ++k)
-        text += watts({1.0 + k, 2.0, 3.0}) + " ";
-    std::istringstream lines(wrapped(text, 0, 0));
-    for (std::string line; std::getline(lines, line);)
-        CHECK((line.front() == '(' && line.substr(line.size() - 3) == ") W"));
-}
-
 TEST_CASE("one number stands for equal channels")
 {
     CHECK(wrapped(watts({0.5, 0.5, 0.5}), 0, 0) == "0.5 W\n");

@@ -12,17 +12,17 @@ using namespace multipath;
 
 namespace {
 
-MaterialLibrary read(const std::string& text, EmissionFrom from = EmissionFrom::ke)
+MaterialLibrary read(const std::string& text)
 {
     const ScratchFolder folder;
     MaterialLibrary library;
-    read_mtl(folder.write("a.mtl", text), from, library);
+    read_mtl(folder.write("a.mtl", text), library);
     return library;
 }
 
-std::string problem(const std::string& text, EmissionFrom from = EmissionFrom::ke)
+std::string problem(const std::string& text)
 {
-    return problem_of([&] { read(text, from); });
+    return problem_of([&] { read(text); });
 }
 
 } // namespace
@@ -50,7 +50,6 @@ TEST_CASE("values that no material can have are refused with the name of the mat
     CHECK(contains(problem("newmtl red\nKe 1e300\n"), "a.mtl:2: Ke of material `red` is above 1e30"));
     CHECK(contains(problem("newmtl red\nKe 0 0 1.1e30\n"), "is above 1e30"));
     CHECK(problem("newmtl red\nKe 1e30\n").empty());
-    CHECK(contains(problem("newmtl red\nKa -1\n", EmissionFrom::ka), "a.mtl:2: Ka of material `red` is negative"));
 }
 
 TEST_CASE("an emission too small to compute with counts as none, with a warning")
@@ -100,12 +99,11 @@ TEST_CASE("ignored statements are named once")
     CHECK(contains(library.warnings[0], ": `Ns`, `illum`, `Ks`"));
 }
 
-TEST_CASE("emission comes from Ke or from Ka, never from both")
+TEST_CASE("emission comes from Ke, not from Ka")
 {
-    const std::string text = "newmtl a\nKa 1 2 3\nKe 4 5 6\n";
-    CHECK(read(text).materials[0].material.emittance == Rgb{4, 5, 6});
-    CHECK(read(text, EmissionFrom::ka).materials[0].material.emittance == Rgb{1, 2, 3});
-    CHECK(contains(read(text, EmissionFrom::ka).warnings.at(0), "a.mtl:3: ignored, since only Kd and Ka count: `Ke`"));
+    const MaterialLibrary library = read("newmtl a\nKa 1 2 3\nKe 4 5 6\n");
+    CHECK(library.materials[0].material.emittance == Rgb{4, 5, 6});
+    CHECK(contains(library.warnings.at(0), "a.mtl:2: ignored, since only Kd and Ke count: `Ka`"));
 }
 
 TEST_CASE("opacity is d, or unknown")

@@ -31,21 +31,21 @@ struct SceneText
     std::string obj;
     std::string mtl;
 
-    SceneFile read(EmissionFrom from = EmissionFrom::ke, const ObjChanges& changes = {}) const
+    SceneFile read(const ObjChanges& changes = {}) const
     {
         folder.write("room.mtl", mtl);
-        return read_obj(folder.write("room.obj", obj), from, changes);
+        return read_obj(folder.write("room.obj", obj), changes);
     }
-    std::string problem(EmissionFrom from = EmissionFrom::ke) const
+    std::string problem() const
     {
-        return problem_of([&] { read(from); });
+        return problem_of([&] { read(); });
     }
     /// Those that the error of the scene advises.
     Remedies remedies(const ObjChanges& changes = {}) const
     {
         Remedies result;
         try {
-            read(EmissionFrom::ke, changes);
+            read(changes);
         } catch (const InputError& error) {
             for (const Advice& advice : error.advice)
                 result.emplace_back(advice.remedy, advice.value);
@@ -116,8 +116,7 @@ TEST_CASE("an unknown material is grey, with one warning for its name")
     for (const char* use : {"usemtl wood\n", ""}) { // an object of the material becomes a lamp
         ObjChanges changes;
         changes.lamps = {{"top", {1, 1, 1}}};
-        const SceneFile lit =
-            SceneText{use + square + "f 1 2 3 4\no top\nf 1 2 3\n", ""}.read(EmissionFrom::ke, changes);
+        const SceneFile lit = SceneText{use + square + "f 1 2 3 4\no top\nf 1 2 3\n", ""}.read(changes);
         CHECK(lit.warnings.size() == 1);
         CHECK(lit.unknown_materials.size() == (*use ? 1 : 0));
     }
@@ -143,14 +142,11 @@ TEST_CASE("a scene too small to compute with is refused")
     CHECK(contains(SceneText{faces, "newmtl lamp\nKe 1\n"}.problem(), "lie within 1e-9 of each other"));
 }
 
-TEST_CASE("a lamp in Ka is found on request")
+TEST_CASE("ambient light is no emission")
 {
-    const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\nusemtl wall\nf 4 3 2 1\n",
-                         "newmtl lamp\nKa 20 10 5\nKd 0.5\nnewmtl wall\nKa 0 0 0\nKd 0.5\n"};
+    const SceneText text{"mtllib room.mtl\n" + square + "usemtl lamp\nf 1 2 3 4\n",
+                         "newmtl lamp\nKa 20 10 5\nKd 0.5\n"};
     CHECK(contains(text.problem(), "has Ke above 0"));
-    const SceneFile scene = text.read(EmissionFrom::ka);
-    CHECK(scene.materials[scene.material[0]].emittance == Rgb{20, 10, 5});
-    CHECK(scene.materials[scene.material[1]].emittance == Rgb{});
 }
 
 // A surface that is only dropped faces emits nothing.
@@ -168,10 +164,10 @@ const SceneText two_squares{"mtllib room.mtl\no floor\n" + square +
 
 TEST_CASE("a material becomes a lamp, or the faces of an object alone")
 {
-    const SceneFile all = two_squares.read(EmissionFrom::ke, {{{"paint", {1, 2, 3}}}, {}});
+    const SceneFile all = two_squares.read({{{"paint", {1, 2, 3}}}, {}});
     CHECK(all.materials[all.material[0]].emittance == Rgb{1, 2, 3});
     CHECK(all.materials[all.material[1]].emittance == Rgb{1, 2, 3});
-    const SceneFile panel = two_squares.read(EmissionFrom::ke, {{{"panel", {4, 4, 4}}}, {}});
+    const SceneFile panel = two_squares.read({{{"panel", {4, 4, 4}}}, {}});
     REQUIRE(panel.surfaces.size() == 2);
     CHECK(panel.materials[panel.material[0]].emittance == Rgb{});
     CHECK(panel.materials[panel.material[1]].emittance == Rgb{4, 4, 4});
@@ -182,12 +178,10 @@ TEST_CASE("a material becomes a lamp, or the faces of an object alone")
 
 TEST_CASE("what is ignored is left out, and a name that the file does not have is told")
 {
-    const SceneFile rest = two_squares.read(EmissionFrom::ke, {{{"panel", {1, 1, 1}}}, {"floor"}});
+    const SceneFile rest = two_squares.read({{{"panel", {1, 1, 1}}}, {"floor"}});
     REQUIRE(rest.surfaces.size() == 1);
     CHECK(rest.surfaces[0].origin.z == 1.0);
-    const auto problem = [](const ObjChanges& changes) {
-        return problem_of([&] { two_squares.read(EmissionFrom::ke, changes); });
-    };
+    const auto problem = [](const ObjChanges& changes) { return problem_of([&] { two_squares.read(changes); }); };
     CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "room.obj: no material or object is called `pannel`"));
     CHECK(contains(problem({{{"pannel", {1, 1, 1}}}, {}}), "`paint`, `floor`, `panel`"));
     CHECK(contains(problem({{}, {"spare"}}), "room.obj: no material or object is called `spare`"));
@@ -213,7 +207,7 @@ TEST_CASE("the error of a file without lamps names one by its name, or else the 
 
     ObjChanges outside;
     outside.lit_from_outside = true;
-    CHECK(two_squares.read(EmissionFrom::ke, outside).surfaces.size() == 2);
+    CHECK(two_squares.read(outside).surfaces.size() == 2);
 
     // Nothing of the sky gets into a closed room.
     CHECK(SceneText{cube, ""}.remedies() == Remedies{{Remedy::lamp, "default=10"}});
@@ -221,7 +215,7 @@ TEST_CASE("the error of a file without lamps names one by its name, or else the 
         "usemtl floor\n" + cube.substr(0, cube.find("f 8")) + "usemtl wall\n" + cube.substr(cube.find("f 8")), ""};
     CHECK(of_two.remedies() == Remedies{{Remedy::lamp, "wall=10"}});
     const SceneText nameless{square + "f 1 2 3 4\n", ""};
-    CHECK(nameless.read(EmissionFrom::ke, {{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
+    CHECK(nameless.read({{{"default", {1, 1, 1}}}, {}}).materials[0].emittance == Rgb{1, 1, 1});
 }
 
 TEST_CASE("a material that reflects all light of a colour is told")
@@ -239,7 +233,7 @@ TEST_CASE("reflectances above 1 are refused or lowered, and the error's advice m
     CHECK(lit.remedies() == Remedies{{Remedy::reflectance_limit, "0.9"}});
     ObjChanges lowered;
     lowered.reflectance_limit = 0.9;
-    const SceneFile scene = lit.read(EmissionFrom::ke, lowered);
+    const SceneFile scene = lit.read(lowered);
     CHECK(scene.materials[0].reflectance == Rgb{0.2, 0.9, 0.9});
     CHECK(any_contains(scene.warnings, "reflectance lowered to the limit of 0.9: `white`"));
 
@@ -247,7 +241,7 @@ TEST_CASE("reflectances above 1 are refused or lowered, and the error's advice m
     CHECK(contains(dark_cube.problem(), "no emitter"));
     CHECK(dark_cube.remedies() == Remedies{{Remedy::reflectance_limit, "0.9"}, {Remedy::lamp, "white=10"}});
     lowered.lamps.push_back({"white", {10, 10, 10}});
-    CHECK(dark_cube.read(EmissionFrom::ke, lowered).materials[0].emittance == Rgb{10, 10, 10});
+    CHECK(dark_cube.read(lowered).materials[0].emittance == Rgb{10, 10, 10});
     const SceneText unused{start + square + "f 1 2 3 4\n", "newmtl white\nKe 1\nKd 0.2\nnewmtl other\nKd 2\n"};
     CHECK(unused.read().materials[0].reflectance == Rgb{0.2, 0.2, 0.2});
 }
@@ -263,8 +257,7 @@ TEST_CASE("the advice of an error names only what has faces that are left")
     changes.ignored = {"--shade lamp"};
     CHECK(scene.remedies(changes) == daylight);
     changes.lamps = {{"b", {1, 1, 1}}};
-    CHECK(contains(problem_of([&] { scene.read(EmissionFrom::ke, changes); }),
-                   "room.obj: no material or object is called `b`"));
+    CHECK(contains(problem_of([&] { scene.read(changes); }), "room.obj: no material or object is called `b`"));
     const SceneText white{"mtllib room.mtl\n" + two, "newmtl a\nKd 0.5\nnewmtl b\nKd 1\nnewmtl c\nKd 0.5\n"};
     CHECK(white.remedies() == // it might trap light
           Remedies{{Remedy::reflectance_limit, "0.9"}, {Remedy::lamp, "--shade lamp=10"}});
@@ -325,7 +318,7 @@ TEST_CASE("objects and the groups that divide them can both be named")
 {
     const std::string faces = square + above + "o table\ng top\nf 1 2 3 4\ng leg\nf 5 6 7 8\no chair\nf 8 7 6 5\n";
     const auto lamps = [&](const char* name) {
-        const SceneFile scene = SceneText{faces, ""}.read(EmissionFrom::ke, {{{name, {1, 1, 1}}}, {}});
+        const SceneFile scene = SceneText{faces, ""}.read({{{name, {1, 1, 1}}}, {}});
         std::string lit;
         for (const std::uint32_t material : scene.material)
             lit += scene.materials[material].emittance.r > 0.0 ? '1' : '0';
@@ -336,8 +329,8 @@ TEST_CASE("objects and the groups that divide them can both be named")
     CHECK(lamps("leg") == "010");
     CHECK(lamps("chair") == "001");
     ObjChanges changes = {{{"top", {1, 1, 1}}}, {"chair"}};
-    CHECK(SceneText{faces, ""}.read(EmissionFrom::ke, changes).surfaces.size() == 2);
-    const SceneFile scene = SceneText{faces, ""}.read(EmissionFrom::ke, changes);
+    CHECK(SceneText{faces, ""}.read(changes).surfaces.size() == 2);
+    const SceneFile scene = SceneText{faces, ""}.read(changes);
     CHECK(scene.is_named(0, "table"));
     CHECK(scene.is_named(1, "leg"));
     CHECK_FALSE(scene.is_named(1, "top"));

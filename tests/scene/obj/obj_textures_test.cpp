@@ -33,7 +33,7 @@ struct Files
     SceneFile read(const std::string& obj, const std::string& mtl, const ObjChanges& changes = {}) const
     {
         folder.write("room.mtl", mtl);
-        return read_obj(folder.write("room.obj", "mtllib room.mtl\nusemtl m\n" + obj), EmissionFrom::ke, changes);
+        return read_obj(folder.write("room.obj", "mtllib room.mtl\nusemtl m\n" + obj), changes);
     }
 };
 
