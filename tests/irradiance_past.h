@@ -3,6 +3,7 @@
 #include "geometry/polygon.h"
 #include "geometry/surface.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -76,8 +77,12 @@ inline double irradiance_past(const std::vector<Surface>& blockers, const Surfac
     }
     double sum = 0.0;
     for (const Polygon& part : parts)
-        if (part.size() > 2)
-            sum += lambert_sum(part.data(), part.size(), point, normal);
+        for (std::size_t k = 2; k < part.size(); ++k) {
+            FlatPolygon triangle;
+            for (const Vec3 corner : {part[0], part[k - 1], part[k]})
+                triangle.add(corner);
+            sum += irradiance_from(triangle, point, normal);
+        }
     return sum;
 }
 

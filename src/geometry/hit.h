@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace multipath {
 
@@ -28,10 +27,5 @@ bool have_same_outline(const Hit& a, const Hit& b);
 /// no hit shows whether the line starts inside a solid, `starts_in_solid` decides; hit.cpp states the rules and their
 /// exceptions (thin sheets, floors met from below).
 void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
-
-inline void order_coincident_hits(std::vector<Hit>& hits, bool starts_in_solid)
-{
-    order_coincident_hits(hits.data(), hits.size(), starts_in_solid);
-}
 
 } // namespace multipath

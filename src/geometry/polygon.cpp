@@ -106,26 +106,21 @@ double distance(Vec3 point, const FlatPolygon& polygon)
     return std::sqrt(square);
 }
 
-double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal)
+double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
 {
     // Each edge contributes the angle that it subtends times the cosine between `normal` and the normal of the plane
     // through the edge and the point. The edges run counter-clockwise as seen from the front, so the cross product of
     // the ends of an edge points away from the polygon: hence the minus sign.
     double sum = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 a = corners[k] - point;
-        const Vec3 b = corners[k + 1 < count ? k + 1 : 0] - point;
+    for (std::size_t k = 0; k < polygon.size; ++k) {
+        const Vec3 a = polygon.corners[k] - point;
+        const Vec3 b = polygon.next(k) - point;
         const Vec3 across = cross(a, b);
         const double sine = length(across);
         if (sine > 0.0)
             sum -= elementary::atan2(sine, dot(a, b)) / sine * dot(normal, across);
     }
-    return sum / (2.0 * pi);
-}
-
-double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal)
-{
-    return std::clamp(lambert_sum(polygon.corners.data(), polygon.size, point, normal), 0.0, 1.0);
+    return std::clamp(sum / (2.0 * pi), 0.0, 1.0);
 }
 
 } // namespace multipath

@@ -64,8 +64,4 @@ double distance(Vec3 point, const FlatPolygon& polygon);
 /// part_above_horizon). Returns 0 if the point is behind the polygon; the result is clamped to 0 ... 1.
 double irradiance_from(const FlatPolygon& polygon, Vec3 point, Vec3 normal);
 
-/// Lambert's formula as in irradiance_from, but for any number of corners and without the clamping: if `point` lies
-/// behind the polygon, so that the corners are clockwise as seen from there, the sum is negative.
-double lambert_sum(const Vec3* corners, std::size_t count, Vec3 point, Vec3 normal);
-
 } // namespace multipath

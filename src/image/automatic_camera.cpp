@@ -65,11 +65,10 @@ struct Room
 /// Makes every side at least a tenth of the diagonal, so that there is space for a camera around a flat scene.
 void grow_if_flat(Bounds& box)
 {
-    const double least = 0.1 * box.diagonal();
-    const Vec3 size = box.size();
-    const Vec3 missing = {std::max(0.0, least - size.x), std::max(0.0, least - size.y), std::max(0.0, least - size.z)};
-    box.low = box.low - 0.5 * missing;
-    box.high = box.high + 0.5 * missing;
+    const double half = 0.05 * box.diagonal();
+    const Vec3 centre = box.centre();
+    box.include(centre - Vec3{half, half, half});
+    box.include(centre + Vec3{half, half, half});
 }
 
 /// The box, in the axes of a room, of all surfaces that rise above a height in these axes.
@@ -167,9 +166,16 @@ std::optional<Room> room_around(const Scene& scene, const Room& whole, Vec3 poin
     return room;
 }
 
+/// A room with light.
+struct LitRoom
+{
+    Room room;
+    int points = 0; ///< number of points in it above lit patches
+};
+
 /// Rooms with light, at most three. Those around points above patches that are chosen in proportion to their reflected
 /// power, or in daylight, which is nearly all outside, to their area. The rooms with most such points come first.
-std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
+std::vector<LitRoom> lit_rooms(const LitScene& lit_scene, const Room& whole)
 {
     constexpr int points = 64;
     constexpr std::size_t most_rooms = 3;
@@ -180,12 +186,7 @@ std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
         const double share = by_area ? 1.0 : std::max(0.0, mean(lit_scene.radiosity[i] - scene.emittance(i)));
         light.add(lit_scene.is_lit[i] && !scene.is_sky_patch(i) ? share * scene.area(i) : 0.0);
     }
-    struct Found
-    {
-        Room room;
-        int points;
-    };
-    std::vector<Found> found;
+    std::vector<LitRoom> found;
     for (int k = 0; k < points && light.total() > 0.0; ++k) {
         const Patch patch = scene.patch(static_cast<std::uint32_t>(light.at((k + 0.5) / points)));
         const Line away = {patch.shape.centre(), patch.shape.normal()};
@@ -193,17 +194,16 @@ std::vector<Room> lit_rooms(const LitScene& lit_scene, const Room& whole)
         const bool is_open = !opposite || scene.is_sky(opposite->surface);
         const Vec3 middle = away.at(0.5 * (is_open ? 0.1 * whole.box.diagonal() : opposite->t));
         const auto known =
-            std::find_if(found.begin(), found.end(), [&](const Found& f) { return f.room.contains(middle); });
+            std::find_if(found.begin(), found.end(), [&](const LitRoom& lit) { return lit.room.contains(middle); });
         if (known != found.end())
             ++known->points;
         else if (const std::optional<Room> room = room_around(scene, whole, middle))
             found.push_back({*room, 1});
     }
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.points > b.points; });
-    std::vector<Room> rooms;
-    for (std::size_t k = 0; k < std::min(most_rooms, found.size()); ++k)
-        rooms.push_back(found[k].room);
-    return rooms;
+    std::stable_sort(found.begin(), found.end(),
+                     [](const LitRoom& a, const LitRoom& b) { return a.points > b.points; });
+    found.resize(std::min(most_rooms, found.size()));
+    return found;
 }
 
 /// [degrees] Vertical field of view, reduced in wide pictures so that the horizontal one is at most `widest`: otherwise
@@ -357,13 +357,13 @@ bool is_surrounded(const Scene& scene, const Room& axes, Vec3 eye)
 std::optional<RatedCamera> best_indoor_camera(LitScene lit_scene, const Room& whole, double aspect, Vec3 up)
 {
     std::optional<RatedCamera> best;
-    for (const Room& room : lit_rooms(lit_scene, whole)) {
-        std::vector<Camera> cameras = inside_cameras(room, up, aspect);
+    for (const LitRoom& lit : lit_rooms(lit_scene, whole)) {
+        std::vector<Camera> cameras = inside_cameras(lit.room, up, aspect);
         cameras.erase(std::remove_if(cameras.begin(), cameras.end(),
                                      [&](const Camera& c) { return !is_surrounded(lit_scene.scene, whole, c.eye); }),
                       cameras.end());
         lit_scene.box = {};
-        for (const Vec3 corner : room.corners())
+        for (const Vec3 corner : lit.room.corners())
             lit_scene.box.include(corner);
         const std::optional<RatedCamera> found = best_of(lit_scene, cameras, aspect);
         if (found && found->quality.is_good() && (!best || found->quality.score > best->quality.score))

@@ -1,11 +1,11 @@
 #include "image/camera_file.h"
 
+#include "base/file_bytes.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -134,15 +134,7 @@ private:
 
 Camera read_camera_file(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    constexpr std::size_t most = 65536; // [bytes]
-    std::string text(most + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
-        refuse({path, 0}, "cannot be read, expected a view such as the page saves");
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most)
-        refuse({path, 0}, "longer than 65,536 bytes, expected a view such as the page saves");
+    std::string text = bytes_of_file(path);
     if (text.compare(0, 3, "\xef\xbb\xbf") == 0) // byte order mark
         text.erase(0, 3);
     return CameraParser(path, text).parse();

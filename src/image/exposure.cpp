@@ -48,24 +48,30 @@ struct Preview
     bool shows_little = false; ///< less than a twentieth of the picture counts
 };
 
-/// Points that see a larger share of the sky than `most_sky` do not count.
-Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,
-                   const RenderOptions& options, double most_sky)
+/// The rays of a small picture, with sides of at most 160 pixels.
+PixelRays preview_rays(const Camera& camera, const RenderOptions& options)
+{
+    const int shrink = (std::max({options.width, options.height, 1}) + 159) / 160;
+    const auto shrunk = [shrink](int side) { return std::min(side, std::max(1, side / shrink)); };
+    return PixelRays(camera, shrunk(options.width), shrunk(options.height));
+}
+
+/// Points that see a larger share of the sky, along `up`, than `most_sky` do not count.
+Preview preview_of(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& rays, Vec3 up, int threads,
+                   double most_sky)
 {
     constexpr int block = 4; // pixels along a side, which are outdoors or not like one of them
-    const Vec3 up = normalized(camera.up);
-    const std::vector<std::optional<Hit>> hits =
-        visible_hits(scene, PixelRays(camera, options.width, options.height), options.threads);
+    const std::vector<std::optional<Hit>> hits = visible_hits(scene, rays, threads);
+    const int row = rays.width() / block + 1; // blocks
     Preview preview;
-    std::vector<std::optional<bool>> outdoors(
-        pixel_index(options.width / block + 1, 0, options.height / block + 1)); // per block
+    std::vector<std::optional<bool>> outdoors(pixel_index(row, 0, rays.height() / block + 1)); // per block
     RayFan fan;
-    for (int y = 0; y < options.height; ++y)
-        for (int x = 0; x < options.width; ++x) {
-            const std::optional<Hit>& hit = hits[pixel_index(options.width, x, y)];
+    for (int y = 0; y < rays.height(); ++y)
+        for (int x = 0; x < rays.width(); ++x) {
+            const std::optional<Hit>& hit = hits[pixel_index(rays.width(), x, y)];
             if (!hit || scene.is_sky(hit->surface))
                 continue;
-            std::optional<bool>& is_outdoors = outdoors[pixel_index(options.width / block + 1, x / block, y / block)];
+            std::optional<bool>& is_outdoors = outdoors[pixel_index(row, x / block, y / block)];
             if (!is_outdoors)
                 is_outdoors = most_sky < 1.0 && sky_share(scene, gather_point(scene, *hit), up, fan) > most_sky;
             if (*is_outdoors)
@@ -87,17 +93,16 @@ double automatic_exposure(const Scene& scene, const std::vector<Rgb>& radiosity,
                           const RenderOptions& options, ToneOperator tone)
 {
     constexpr double all = 1.0;
-    const RenderOptions small = preview_options(options);
-    PixelRays(camera, small.width, small.height); // throws for an invalid camera
+    const PixelRays rays = preview_rays(camera, options);
+    const Vec3 up = normalized(camera.up);
     double most_sky = all;
     if (scene.file().sky_surfaces > 0 || scene.file().sun) {
         RayFan fan;
-        const Vec3 up = normalized(camera.up);
         most_sky = sky_share(scene, {GatherPoint::free, camera.eye, up}, up, fan) + much_more;
     }
-    Preview preview = preview_of(scene, radiosity, camera, small, most_sky);
+    Preview preview = preview_of(scene, radiosity, rays, up, options.threads, most_sky);
     if (most_sky < all && preview.shows_little) // the camera looks out of a window
-        preview = preview_of(scene, radiosity, camera, small, all);
+        preview = preview_of(scene, radiosity, rays, up, options.threads, all);
     const double scale = automatic_scale(preview.all, tone);
     return std::min(scale, largest_scale(preview.lit, tone, most_white));
 }

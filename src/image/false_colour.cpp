@@ -14,15 +14,10 @@
 
 namespace multipath {
 
-namespace {
-
-// For smaller reflectances the rounding error of B - E would be taken for irradiance if the emittance is large.
-constexpr double least_reflectance = 1e-6;
-
-} // namespace
-
 std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
+    // For smaller reflectances the rounding error of B - E would be taken for irradiance if the emittance is large.
+    constexpr double least_reflectance = 1e-6;
     const auto arriving = [](double b, double e, double rho) {
         // A mean over replicates may be slightly below E because of rounding.
         return rho < least_reflectance ? std::numeric_limits<double>::quiet_NaN() : std::max(0.0, b - e) / rho;
@@ -152,27 +147,15 @@ private:
         return (high - low) / (before && after ? 2.0 : 1.0);
     }
 
-    /// True if a pixel nearby on the same side has a value on the other side of the level, so that the level is crossed
-    /// there and not only approached.
-    bool is_crossed(int x, int y, double level) const
-    {
-        const int reach = static_cast<int>(std::ceil(0.5 * width_)) + 1;
-        const bool above = at(x, y).value >= level;
-        for (int v = y - reach; v <= y + reach; ++v)
-            for (int u = x - reach; u <= x + reach; ++u)
-                if (is_same_side(u, v, at(x, y).side) && (at(u, v).value >= level) != above)
-                    return true;
-        return false;
-    }
-
     /// Blends the contour lines near a pixel into it. The coverage is antialiased over one pixel at the line's border.
     void draw_at(int x, int y)
     {
         const double steepness = elementary::hypot(slope(x, y, 1, 0), slope(x, y, 0, 1));
-        for (int step = 1; steepness > 0.0 && step <= legend_.scale.steps; ++step) {
+        constexpr double rounding = 1e-9; // share of the scale: even values have no contour
+        for (int step = 1; steepness > rounding * legend_.scale.top() && step <= legend_.scale.steps; ++step) {
             const double level = legend_.scale.top() * step / legend_.scale.steps;
             const double cover = 0.5 * width_ + 0.5 - std::abs(at(x, y).value - level) / steepness;
-            if (!legend_.has_contour(step) || cover <= 0.0 || !is_crossed(x, y, level))
+            if (!legend_.has_contour(step) || cover <= 0.0)
                 continue;
             for (int channel = 0; channel < 3; ++channel) {
                 std::uint8_t& byte = screen_.at(x, y)[channel];

@@ -9,7 +9,6 @@
 #include "image/checksum.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -39,7 +38,7 @@ struct CodeWord
     std::uint8_t length = 0;
 };
 
-constexpr CodeWord code_word(std::uint32_t number, int length)
+CodeWord code_word(std::uint32_t number, int length)
 {
     std::uint32_t reversed = 0;
     for (int bit = 0; bit < length; ++bit)
@@ -48,18 +47,14 @@ constexpr CodeWord code_word(std::uint32_t number, int length)
 }
 
 /// The fixed Huffman code of literals, end of block and lengths (RFC 1951, section 3.2.6).
-constexpr std::array<CodeWord, 288> make_fixed_code()
+CodeWord fixed_code(std::uint32_t symbol)
 {
-    std::array<CodeWord, 288> words{};
-    for (std::uint32_t symbol = 0; symbol < words.size(); ++symbol)
-        words[symbol] = symbol < 144   ? code_word(0x30 + symbol, 8)
-                        : symbol < 256 ? code_word(0x190 + symbol - 144, 9)
-                        : symbol < 280 ? code_word(symbol - 256, 7)
-                                       : code_word(0xc0 + symbol - 280, 8);
-    return words;
+    return symbol < 144   ? code_word(0x30 + symbol, 8)
+           : symbol < 256 ? code_word(0x190 + symbol - 144, 9)
+           : symbol < 280 ? code_word(symbol - 256, 7)
+                          : code_word(0xc0 + symbol - 280, 8);
 }
 
-constexpr std::array<CodeWord, 288> fixed_code = make_fixed_code();
 constexpr std::uint32_t end_of_data = 256;
 
 constexpr std::size_t window = 32768; ///< greatest distance of a copy
@@ -72,15 +67,15 @@ class DeflateWriter
 public:
     DeflateWriter() { put(1 | 1 << 1, 3); } // block header: last block, fixed Huffman code
 
-    void literal(char byte) { put(fixed_code[static_cast<unsigned char>(byte)]); }
+    void literal(char byte) { put(fixed_code(static_cast<unsigned char>(byte))); }
 
     void copy(std::size_t length, std::size_t distance)
     {
         if (length == longest_copy) {
-            put(fixed_code[285]);
+            put(fixed_code(285));
         } else {
             const Range range = doubling_range(static_cast<std::uint32_t>(length - shortest_copy), 4);
-            put(fixed_code[257 + range.code]);
+            put(fixed_code(257 + range.code));
             put(range.offset, range.offset_bits);
         }
         const Range range = doubling_range(static_cast<std::uint32_t>(distance - 1), 2);
@@ -90,7 +85,7 @@ public:
 
     std::string finished()
     {
-        put(fixed_code[end_of_data]);
+        put(fixed_code(end_of_data));
         put(0, 7); // completes the last byte
         return std::move(bytes_);
     }
@@ -263,23 +258,10 @@ std::string chunk(const std::string& type, const std::string& data)
     return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
 }
 
-/// The text with '?' for control characters, except line feeds, and for bytes that are not UTF-8.
-std::string clean_text(std::string_view text)
-{
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t size = utf8_character_size(text);
-        const bool control = size == 1 && text[0] != '\n' && (text[0] < ' ' || text[0] == '\x7f');
-        result += size == 0 || control ? "?" : text.substr(0, size);
-        text.remove_prefix(std::max<std::size_t>(size, 1));
-    }
-    return result;
-}
-
 /// A chunk with a comment: the older tEXt, which all readers know, for ASCII; iTXt for other text.
 std::string comment_chunk(const std::string& comment)
 {
-    const std::string text = clean_text(comment);
+    const std::string text = without_controls(valid_utf8(comment), "\n");
     const bool ascii =
         std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
     return ascii ? chunk("tEXt", std::string(plain_comment) + text) : chunk("iTXt", std::string(utf8_comment) + text);

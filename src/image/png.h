@@ -9,8 +9,8 @@
 
 namespace multipath {
 
-/// Bytes of a PNG file with 8 bits per channel, sRGB. A comment that is not empty becomes a text chunk. In the chunk,
-/// '?' replaces each byte that is not UTF-8 and each ASCII control character except line feeds.
+/// Bytes of a PNG file with 8 bits per channel, sRGB. A comment that is not empty becomes a text chunk, with '?'
+/// for control characters except line feeds, as valid_utf8().
 std::string png_bytes(const ScreenImage& image, const std::string& comment = "");
 
 /// The scene's textures, in the order of SceneFile::textures, as files for browsers and glTF: PNG and JPEG files

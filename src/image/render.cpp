@@ -23,8 +23,7 @@ namespace multipath {
 // Final gathering. Direct light has sharp shadows, so every camera ray samples the sources. Indirect light varies
 // slowly, so it is gathered at few points and interpolated (IndirectGrid). The cache is filled in two passes over the
 // pixel centres. The first pass samples every second pixel in x and y. The second samples each other pixel for which
-// the samples of the first pass do not suffice. A third pass stores the interpolated indirect light of each pixel in
-// which it is almost constant.
+// the samples of the first pass do not suffice.
 
 namespace {
 
@@ -51,9 +50,7 @@ public:
     FinalGather(const Scene& scene, const std::vector<Rgb>& radiosity, const PixelRays& pixels,
                 const RenderOptions& options, int samples)
         : scene_(scene),
-          width_(options.width),
-          height_(options.height),
-          threads_(options.threads),
+          options_(options),
           samples_(static_cast<std::uint64_t>(samples)),
           // Twice as many rays to the sources: neighbours do not share them, and only pixels in penumbrae, where noise
           // is visible, need any.
@@ -61,15 +58,11 @@ public:
           sequence_around_(make_sequence("sobol-owen", 1)),
           sequence_to_sources_(make_sequence("sobol-owen", 2)),
           source_light_(scene),
-          indirect_light_(scene, radiosity, options.indirect ? options.gather_rays : 0, threads_),
-          grid_(width_, height_),
-          hits_(pixel_index(width_, 0, height_)),
-          indirect_(hits_.size())
+          indirect_light_(scene, radiosity, options.indirect ? options.gather_rays : 0, options_.threads),
+          grid_(options_.width, options_.height)
     {
-        if (options.indirect && options.gather_rays > 0) {
-            hits_ = visible_hits(scene, pixels, threads_);
-            gather_indirect_light();
-        }
+        if (options.indirect && options.gather_rays > 0)
+            gather_indirect_light(visible_hits(scene, pixels, options_.threads));
     }
 
     /// [W/m^2] Radiosity at a visible hit of a camera ray through pixel (x, y), emitted light included. `sample`: index
@@ -78,10 +71,7 @@ public:
     {
         const GatherPoint receiver = gather_point(scene_, hit);
         const std::uint64_t number = morton_number(x, y) * samples_ + static_cast<std::uint64_t>(sample);
-        const std::optional<Hit>& centre = hits_[pixel_index(width_, x, y)];
-        const std::optional<Rgb>& indirect = indirect_[pixel_index(width_, x, y)];
-        const bool same_side = indirect && centre->surface == hit.surface && centre->front == hit.front;
-        Rgb irradiance = same_side ? *indirect : indirect_irradiance(receiver, x, y, fan);
+        Rgb irradiance = indirect_irradiance(receiver, x, y, fan);
         const SourceLight::Items items{*sequence_to_sources_, number * rays_to_sources_, rays_to_sources_};
         const double offset = bits_to_unit(0x9e3779b97f4a7c15u * number); // multiples of the golden ratio, modulo 1
         irradiance += source_light_.irradiance(receiver, items, offset, fan);
@@ -91,15 +81,16 @@ public:
 
 private:
     /// Where indirect light varies slowly, one pixel in four is sampled; close to other surfaces every pixel is.
-    void gather_indirect_light()
+    /// `hits`: at the centre of each pixel.
+    void gather_indirect_light(const std::vector<std::optional<Hit>>& hits)
     {
         const auto for_each_centre = [&](int spacing, const auto& act) {
-            const int rows = (height_ + spacing - 1) / spacing;
-            parallel_blocks(static_cast<std::uint64_t>(rows), threads_, [&](std::uint64_t row) {
+            const int rows = (options_.height + spacing - 1) / spacing;
+            parallel_blocks(static_cast<std::uint64_t>(rows), options_.threads, [&](std::uint64_t row) {
                 const int y = spacing * static_cast<int>(row);
                 RayFan fan;
-                for (int x = 0; x < width_; x += spacing)
-                    if (const std::optional<Hit>& hit = hits_[pixel_index(width_, x, y)])
+                for (int x = 0; x < options_.width; x += spacing)
+                    if (const std::optional<Hit>& hit = hits[pixel_index(options_.width, x, y)])
                         act(gather_point(scene_, *hit), x, y, fan);
             });
         };
@@ -110,10 +101,6 @@ private:
         for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan& fan) {
             if ((x % 2 != 0 || y % 2 != 0) && !grid_.is_supported(receiver, x, y))
                 grid_.set(x, y, indirect_light_.at(receiver, *sequence_around_, used + morton_number(x, y), fan));
-        });
-        for_each_centre(1, [&](const GatherPoint& receiver, int x, int y, RayFan&) {
-            if (grid_.is_supported(receiver, x, y))
-                indirect_[pixel_index(width_, x, y)] = grid_.irradiance(receiver, x, y);
         });
     }
 
@@ -126,9 +113,7 @@ private:
     }
 
     const Scene& scene_;
-    int width_;
-    int height_;
-    int threads_;
+    RenderOptions options_;
     std::uint64_t samples_;
     std::size_t rays_to_sources_;
     std::unique_ptr<Sequence> sequence_around_;
@@ -136,9 +121,6 @@ private:
     SourceLight source_light_;
     IndirectLight indirect_light_;
     IndirectGrid grid_;
-    std::vector<std::optional<Hit>> hits_; ///< at the centre of each pixel
-    /// [W/m^2] Indirect irradiance of each pixel; absent where it may vary within the pixel.
-    std::vector<std::optional<Rgb>> indirect_;
 };
 
 } // namespace
@@ -327,18 +309,6 @@ Image render(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera
         painter.paint_row(static_cast<int>(row), &image.at(0, static_cast<int>(row)));
     });
     return image;
-}
-
-RenderOptions preview_options(RenderOptions options)
-{
-    const int larger = std::max({options.width, options.height, 1});
-    const int shrink = (larger + 159) / 160;
-    options.width = std::min(options.width, std::max(1, options.width / shrink));
-    options.height = std::min(options.height, std::max(1, options.height / shrink));
-    options.samples_per_pixel = 1;
-    options.shading = Shading::flat;
-    options.white = std::numeric_limits<double>::infinity();
-    return options;
 }
 
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

@@ -51,10 +51,6 @@ struct ToneMapOptions
     std::optional<double> scale = std::nullopt;
 };
 
-/// Options for a small preview of the same picture, on which the exposure is measured: sides of at most 160 pixels,
-/// flat shading, one sample per pixel, no clamping.
-RenderOptions preview_options(RenderOptions options);
-
 /// [m^2/W] The factor from radiosity to the input of the tone operator that picture() uses: the given scale or that of
 /// automatic_exposure(), times 2^exposure.
 double picture_scale(const Scene& scene, const std::vector<Rgb>& radiosity, const Camera& camera,

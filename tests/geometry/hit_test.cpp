@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 #include <string>
+#include <vector>
 
 namespace hit_test {
 
@@ -22,7 +23,7 @@ std::string ordered(const std::string& pattern, bool starts_in_solid = false)
             hits.push_back(
                 {t++, static_cast<std::uint32_t>(hits.size()), 0.01 * static_cast<double>(hits.size()), 0.3, c == 'A'});
     }
-    order_coincident_hits(hits, starts_in_solid);
+    order_coincident_hits(hits.data(), hits.size(), starts_in_solid);
     std::string order;
     for (const Hit& hit : hits)
         order += std::to_string(hit.surface);
@@ -98,7 +99,7 @@ TEST_CASE("when no hit tells, faces of one outline are a sheet")
 {
     const auto first_of = [](Hit other) {
         std::vector<Hit> hits = {{1.0, 0, 0.2, 0.3, false}, other, {2.0, 2, 0.1, 0.4, true}, {2.0, 3, 0.5, 0.6, false}};
-        order_coincident_hits(hits, true);
+        order_coincident_hits(hits.data(), hits.size(), true);
         return hits.front().surface;
     };
     CHECK(first_of({1.0, 1, 0.3, 0.2, true}) == 1);
@@ -120,7 +121,7 @@ TEST_CASE("faces of one outline are a sheet on a line through faces without back
         here.t = at;
         std::vector<Hit> hits = {wall_before, lamp, cover, wall_behind};
         hits.insert(at < 2.0 ? hits.begin() + 1 : hits.end() - 1, here);
-        order_coincident_hits(hits, true);
+        order_coincident_hits(hits.data(), hits.size(), true);
         const std::size_t first = at < 2.0 ? 2 : 1;
         CHECK(hits[first].surface == lamp.surface);
         CHECK(hits[first + 1].surface == cover.surface);
@@ -129,7 +130,7 @@ TEST_CASE("faces of one outline are a sheet on a line through faces without back
     Hit bottom_of_upper = cover;
     Hit end_of_lower{2.5, 5, 0.5, 0.5, false};
     std::vector<Hit> hits = {wall_before, plate, lamp, bottom_of_upper, end_of_lower, wall_behind};
-    order_coincident_hits(hits, true);
+    order_coincident_hits(hits.data(), hits.size(), true);
     CHECK(hits[2].surface == bottom_of_upper.surface);
 }
 

@@ -209,33 +209,28 @@ std::vector<FlatPiece> quarters(const Surface& s)
             Surface{s.shape, s.origin + v, u, v}, Surface{s.shape, s.origin + u + v, turn * u, turn * v}};
 }
 
-std::optional<double> sum_of_views(const std::vector<FlatPiece>& small, const FlatPolygon& seen, bool may_cut);
-
-/// Exchange area of a surface and a polygon that its front sees wholly, by Lambert's formula at quadrature points of
-/// the surface or of its quarters. std::nullopt if the polygon is too near.
-std::optional<double> exchange_by_views(const FlatPiece& piece, const FlatPolygon& seen, bool may_cut)
-{
-    const double away = distance(piece.centre, seen);
-    if (away >= views_radii * piece.radius) {
-        const PiecePoints points = points_of(piece, away * away);
-        double sum = 0.0;
-        for (std::size_t k = 0; k < points.size; ++k)
-            sum += points.weight[k] * irradiance_from(seen, points.point(k), piece.normal);
-        return piece.area * sum;
-    }
-    if (!may_cut || away < 0.5 * views_radii * piece.radius)
-        return std::nullopt;
-    return sum_of_views(quarters(piece.surface), seen, false);
-}
-
-std::optional<double> sum_of_views(const std::vector<FlatPiece>& small, const FlatPolygon& seen, bool may_cut)
+/// Exchange area of surfaces and a polygon that their fronts see wholly, by Lambert's formula at quadrature points of
+/// the surfaces or of their quarters. std::nullopt if the polygon is too near.
+std::optional<double> exchange_by_views(const std::vector<FlatPiece>& pieces, const FlatPolygon& seen, bool may_cut)
 {
     double sum = 0.0;
-    for (const FlatPiece& piece : small) {
-        const std::optional<double> part = exchange_by_views(piece, seen, may_cut);
-        if (!part)
+    for (const FlatPiece& piece : pieces) {
+        const double away = distance(piece.centre, seen);
+        double of_piece = 0.0;
+        if (away >= views_radii * piece.radius) {
+            const PiecePoints points = points_of(piece, away * away);
+            for (std::size_t k = 0; k < points.size; ++k)
+                of_piece += points.weight[k] * irradiance_from(seen, points.point(k), piece.normal);
+            of_piece *= piece.area;
+        } else if (may_cut && away >= 0.5 * views_radii * piece.radius) {
+            const std::optional<double> of_quarters = exchange_by_views(quarters(piece.surface), seen, false);
+            if (!of_quarters)
+                return std::nullopt;
+            of_piece = *of_quarters;
+        } else {
             return std::nullopt;
-        sum += *part;
+        }
+        sum += of_piece;
     }
     return sum;
 }
@@ -313,9 +308,9 @@ double exchange_of_near(const FlatPiece& a, const FlatPiece& b, double touching)
     const bool a_is_small = a.radius < b.radius;
     const bool small_is_whole = (a_is_small ? a_heights : b_heights).low >= -touching;
     const FlatPolygon& seen = a_is_small ? b_part : a_part;
-    const std::optional<double> exchange = small_is_whole
-                                               ? exchange_by_views(a_is_small ? a : b, seen, true)
-                                               : sum_of_views(triangles_of(a_is_small ? a_part : b_part), seen, true);
+    const std::vector<FlatPiece> small =
+        small_is_whole ? std::vector{a_is_small ? a : b} : triangles_of(a_is_small ? a_part : b_part);
+    const std::optional<double> exchange = exchange_by_views(small, seen, true);
     return exchange ? *exchange : contour_integral(a_part, b_part);
 }
 

@@ -38,7 +38,7 @@ public:
         std::sort(hits.begin(), hits.end(), [this](const Hit& a, const Hit& b) {
             return a.t < b.t || (a.t == b.t && rank_[a.surface] < rank_[b.surface]);
         });
-        order_coincident_hits(hits, outside_is_solid_);
+        order_coincident_hits(hits.data(), hits.size(), outside_is_solid_);
     }
 
     /// The closest of the hits of a line: at equal t a front, then the smaller of fronts and the larger of backs.
