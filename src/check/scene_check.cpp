@@ -207,6 +207,7 @@ private:
 
     void idle_emitters()
     {
+        constexpr std::uint64_t few = 32; // departures: that none arrives may be chance
         std::vector<std::uint32_t> idle;
         double idle_power = 0.0;
         bool any_lights = false;
@@ -214,7 +215,7 @@ private:
             if (!emits(scene_, s))
                 continue;
             any_lights = any_lights || survey_.arrivals[s] > 0;
-            if (survey_.departures[s] > 0 && survey_.arrivals[s] == 0) {
+            if (survey_.departures[s] > few && survey_.arrivals[s] == 0) {
                 idle.push_back(s);
                 idle_power += power(s);
             }

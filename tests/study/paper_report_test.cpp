@@ -64,6 +64,40 @@ Study shots_study(double first_shot, double extended, double local)
     return study;
 }
 
+/// A curve over the ratio with its least error at `best`; (3) chooses `formula`, the pilot the best. Of even points one
+/// is 1 % above its law, of odd ones 1 % below.
+Curve ratio_curve(const char* method, double best, double formula)
+{
+    Curve curve{kind(method, "random"), {}, {}};
+    for (int k = -4; k <= 6; ++k) {
+        CurvePoint point;
+        point.setting = k < 5 ? std::exp2(k) : k == 5 ? formula : best;
+        point.rule = k < 5 ? "" : k == 5 ? "auto" : "measured";
+        point.relative = (best * best * (1.0 + 1.0 / point.setting) + 1.0 + point.setting) * (k % 2 == 0 ? 1.01 : 0.99);
+        point.relative_error = 0.01 * point.relative;
+        curve.points.push_back(point);
+    }
+    curve.ratio_law = fit_ratio(curve.points);
+    return curve;
+}
+
+/// The error at the threshold 0 and at 16 times (4), over that at (4).
+Study threshold_study(double none, double large)
+{
+    Curve curve{kind("extended", "random"), {}, {}};
+    for (const double threshold : {0.0, 0.25, 1.0, 4.0, 16.0}) {
+        CurvePoint point;
+        point.setting = threshold;
+        point.relative = threshold == 0.0 ? none : threshold == 16.0 ? large : 1.0;
+        point.relative_error = 0.01 * point.relative;
+        curve.points.push_back(point);
+    }
+    Study study;
+    study.executions = 6;
+    study.curves = {curve};
+    return study;
+}
+
 /// All that the report of the paper takes, with numbers like the paper's.
 PaperFindings agreeing_findings()
 {
@@ -86,6 +120,10 @@ PaperFindings agreeing_findings()
     for (const char* scene : {"reuse-5cubes", "reuse-4chairs", "reuse-4chairs-up"})
         f.studies[scene].curves = {law_curve(kind("extended", "sobol-owen"), 0.01, -1.1),
                                    law_curve(kind("reuse", "sobol-owen"), 0.0001, -1.5)};
+    for (const char* scene : {"ratio-5cubes", "ratio-4chairs", "ratio-4chairs-up", "ratio-cornell"})
+        f.studies[scene].curves = {ratio_curve("first-shot", 0.7, 0.8), ratio_curve("extended", 5.0, 1.0)};
+    for (const char* scene : {"threshold-5cubes", "threshold-4chairs", "threshold-4chairs-up"})
+        f.studies[scene] = threshold_study(2.0, 1.5);
     f.four_chairs_up.report.ratio_first_shot = 0.409;
     f.four_chairs.report.ratio_first_shot = 0.853;
     f.four_chairs.report.ratio_extended = 1.066;
@@ -301,6 +339,36 @@ TEST_CASE("the report's tables hold what was found, every row as many cells as i
     CHECK(holds(report, row({"5CUBES", "1,234", "0.577", "2.10", "0.670", "0.650", "0.850", "1.060"})));
     // With slopes of -1.5 and -1.1 the hundredfold of 2^15 lines has become a hundred times 2^(0.4 * 6).
     CHECK(holds(report, "<td>528</td><td>−1.500 ± "));
+}
+
+// With its least error at 5, a ratio of 1 has (25 * 2 + 2) / 36 = 1.44 times that error.
+TEST_CASE("a rule holds within 3 % of the least error, and is undecided where the interval contains 3 %")
+{
+    PaperFindings f = agreeing_findings();
+    std::vector<Claim> formula = ratio_claims(f, "auto");
+    REQUIRE(formula.size() == 8);
+    CHECK(formula[0].verdict == Verdict::holds);
+    CHECK(formula[1].verdict == Verdict::differs);
+    CHECK(formula[1].found.rfind("1.00: 1.44", 0) == 0);
+    for (const Claim& claim : ratio_claims(f, "measured"))
+        CHECK(claim.verdict == Verdict::holds);
+    f.studies["ratio-cornell"].curves[1].ratio_law->log_error = 2.0;
+    f.studies["ratio-cornell"].curves[0].ratio_law.reset();
+    formula = ratio_claims(f, "auto");
+    CHECK(formula[6].verdict == Verdict::undecided);
+    CHECK(formula[7].verdict == Verdict::undecided);
+}
+
+TEST_CASE("the threshold of the paper holds if none and a large one are both worse")
+{
+    PaperFindings f = agreeing_findings();
+    f.studies["threshold-4chairs"] = threshold_study(0.9, 1.5);
+    f.studies["threshold-4chairs-up"] = threshold_study(2.0, 1.01);
+    const std::vector<Claim> claims = threshold_claims(f);
+    REQUIRE(claims.size() == 3);
+    CHECK(claims[0].verdict == Verdict::holds);
+    CHECK(claims[1].verdict == Verdict::differs);
+    CHECK(claims[2].verdict == Verdict::undecided);
 }
 
 } // namespace paper_report_test
