@@ -166,20 +166,29 @@ Texture::Sums Texture::sums_within(std::int64_t end, std::uint32_t row) const
     return sums;
 }
 
+/// Sums over the image as it continues outside: those before `at`, where sums_before(end) are those of the image itself
+/// before `end`, from 0 to `size`. Outside, they are a linear function of the number of whole images, or of copies of
+/// the border.
+template <class SumsBefore>
+Texture::Sums Texture::continued(std::int64_t at, std::int64_t size, const SumsBefore& sums_before) const
+{
+    if (at >= 0 && at <= size)
+        return sums_before(at);
+    const std::int64_t inside = repeats_ ? remainder(at, size) : std::clamp<std::int64_t>(at, 0, size);
+    const std::int64_t periods = repeats_ ? (at - inside) / size : at - inside;
+    const std::int64_t from = repeats_ || at < 0 ? 0 : size - 1; // a period, or a pixel at the border, is [from, to)
+    const std::int64_t to = repeats_ || at > 0 ? size : 1;
+    Sums period = sums_before(to);
+    add(period, -1, sums_before(from));
+    Sums sums = sums_before(inside);
+    add(sums, periods, period);
+    return sums;
+}
+
 /// The sums of the pixels 0 ... x - 1 of a row. x may lie outside the image, on either side.
 Texture::Sums Texture::sums_before(std::int64_t x, std::uint32_t row) const
 {
-    const std::int64_t width = bitmap_.width;
-    if (x >= 0 && x <= width)
-        return sums_within(x, row);
-    const std::int64_t inside = repeats_ ? remainder(x, width) : std::clamp<std::int64_t>(x, 0, width);
-    const std::int64_t beyond = x - inside; // a multiple of the width, or copies of the border pixel
-    Sums sums = sums_within(inside, row);
-    if (repeats_)
-        add(sums, beyond / width, sums_within(width, row));
-    else
-        add(sums, beyond, light(x, row));
-    return sums;
+    return continued(x, bitmap_.width, [&](std::int64_t end) { return sums_within(end, row); });
 }
 
 /// The sums of the pixels in columns 0 ... x - 1 and rows 0 ... y - 1, counted from below, of the image itself.
@@ -192,36 +201,12 @@ Texture::Sums Texture::sums_of_corner(std::int64_t x, std::int64_t y) const
     return sums;
 }
 
-/// The same for any x and y, of the image as it continues outside. The sums are then a bilinear function of the number
-/// of whole images, or of copies of the border, in both directions.
+/// The same for any x and y, of the image as it continues outside.
 Texture::Sums Texture::sums_below(std::int64_t x, std::int64_t y) const
 {
-    struct Place
-    {
-        std::int64_t inside, periods, from, to; ///< a period, or a pixel at the border, is [from, to)
-    };
-    const auto place = [&](std::int64_t at, std::int64_t size) -> Place {
-        if (repeats_)
-            return {remainder(at, size), (at - remainder(at, size)) / size, 0, size};
-        const std::int64_t inside = std::clamp<std::int64_t>(at, 0, size);
-        return {inside, at - inside, at < 0 ? 0 : size - 1, at < 0 ? 1 : size};
-    };
-    const Place h = place(x, bitmap_.width);
-    const Place v = place(y, bitmap_.height);
-    const auto in_columns = [&](std::int64_t end) {
-        Sums sums = sums_of_corner(end, v.inside);
-        if (v.periods != 0) {
-            add(sums, v.periods, sums_of_corner(end, v.to));
-            add(sums, -v.periods, sums_of_corner(end, v.from));
-        }
-        return sums;
-    };
-    Sums sums = in_columns(h.inside);
-    if (h.periods != 0) {
-        add(sums, h.periods, in_columns(h.to));
-        add(sums, -h.periods, in_columns(h.from));
-    }
-    return sums;
+    return continued(x, bitmap_.width, [&](std::int64_t column) {
+        return continued(y, bitmap_.height, [&](std::int64_t row) { return sums_of_corner(column, row); });
+    });
 }
 
 /// Linear light of a pixel, which may lie outside the image, in a row of the bitmap.

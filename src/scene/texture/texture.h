@@ -91,6 +91,8 @@ private:
     std::uint32_t row(std::int64_t y) const;
     const std::uint8_t* pixel(std::int64_t x, std::int64_t y) const;
     Sums sums_within(std::int64_t end, std::uint32_t row) const;
+    template <class SumsBefore>
+    Sums continued(std::int64_t at, std::int64_t size, const SumsBefore& sums_before) const;
     Sums sums_before(std::int64_t x, std::uint32_t row) const;
     Sums sums_of_corner(std::int64_t x, std::int64_t y) const;
     Sums sums_below(std::int64_t x, std::int64_t y) const;
