@@ -28,68 +28,11 @@ ChartExtent chart_extent(double length, double scale)
     return {stretched, static_cast<std::uint32_t>(std::max(1.0, steps)) + 1 + 2 * chart_margin};
 }
 
-/// Skyline of a square: the upper outline of the rectangles placed so far.
-class AtlasSkyline
+/// A row of charts in the atlas.
+struct AtlasRow
 {
-public:
-    explicit AtlasSkyline(std::uint32_t size) : size_(size), steps_({{0, 0, size}}) {}
-
-    /// Places a rectangle at the lowest position, of equal ones at the leftmost; nothing if it does not fit.
-    std::optional<AtlasPosition> add(std::uint32_t width, std::uint32_t height)
-    {
-        std::size_t best = steps_.size();
-        std::uint32_t level = size_ - std::min(size_, height) + 1;
-        for (std::size_t n = 0; n < steps_.size() && steps_[n].x + width <= size_; ++n)
-            if (const std::uint32_t y = level_over(n, width, level); y < level) {
-                best = n;
-                level = y;
-            }
-        if (best == steps_.size() || height > size_)
-            return std::nullopt;
-        const AtlasPosition position = {steps_[best].x, level};
-        raise(best, width, level + height);
-        return position;
-    }
-
-private:
-    struct Step
-    {
-        std::uint32_t x;
-        std::uint32_t y;
-        std::uint32_t width;
-    };
-
-    /// Height of the highest step below a rectangle of this width that starts at step n, or `limit` if that is lower.
-    std::uint32_t level_over(std::size_t n, std::uint32_t width, std::uint32_t limit) const
-    {
-        std::uint32_t y = 0;
-        const std::uint32_t end = steps_[n].x + width;
-        for (; n < steps_.size() && steps_[n].x < end; ++n) {
-            y = std::max(y, steps_[n].y);
-            if (y >= limit)
-                return limit;
-        }
-        return y;
-    }
-
-    /// Raises the skyline to y over a width that starts at step n.
-    void raise(std::size_t n, std::uint32_t width, std::uint32_t y)
-    {
-        const std::uint32_t x = steps_[n].x;
-        const std::uint32_t end = x + width;
-        std::size_t past = n;
-        while (past < steps_.size() && steps_[past].x + steps_[past].width <= end)
-            ++past;
-        if (past < steps_.size()) {
-            steps_[past].width -= end - std::min(end, std::max(steps_[past].x, x));
-            steps_[past].x = std::max(steps_[past].x, end);
-        }
-        const auto at = [&](std::size_t k) { return steps_.begin() + static_cast<std::ptrdiff_t>(k); };
-        steps_.insert(steps_.erase(at(n), at(past)), {x, y, width});
-    }
-
-    std::uint32_t size_;
-    std::vector<Step> steps_; ///< from left to right, without gaps
+    std::uint32_t y;     ///< [texel]
+    std::uint32_t width; ///< [texel] of its charts
 };
 
 /// Packs the charts at a given scale; nothing if they do not fit.
@@ -97,14 +40,21 @@ std::optional<AtlasPacking> packed_at(const std::vector<Chart>& charts, const st
                                       std::uint32_t size, double scale)
 {
     AtlasPacking packing{size, scale, std::vector<AtlasPosition>(tallest_first.size())};
-    AtlasSkyline skyline(size);
+    std::vector<AtlasRow> rows;
+    std::uint32_t top = 0; // of the last row
     for (const std::uint32_t n : tallest_first) {
-        const Chart& chart = charts[n];
-        const auto position =
-            skyline.add(chart_extent(chart.width, scale).texels, chart_extent(chart.height, scale).texels);
-        if (!position)
-            return std::nullopt;
-        packing.positions[n] = *position;
+        const std::uint32_t width = chart_extent(charts[n].width, scale).texels;
+        const std::uint32_t height = chart_extent(charts[n].height, scale).texels;
+        auto row =
+            std::find_if(rows.begin(), rows.end(), [&](const AtlasRow& other) { return other.width + width <= size; });
+        if (row == rows.end()) {
+            if (width > size || top + height > size)
+                return std::nullopt;
+            row = rows.insert(row, {top, 0});
+            top += height;
+        }
+        packing.positions[n] = {row->width, row->y};
+        row->width += width;
     }
     return packing;
 }

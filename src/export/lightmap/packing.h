@@ -27,8 +27,8 @@ struct AtlasPacking
 };
 
 /// Packs the charts at the largest scale that bisection finds; nothing if they do not fit even at their minimum sizes.
-/// The bounding rectangles of the charts, tallest first, are placed at the lowest position of a skyline (Jylanki 2010,
-/// "A thousand ways to pack the bin", bottom-left heuristic).
+/// The bounding rectangles of the charts, tallest first, are each placed in the first row with room for it (first-fit
+/// decreasing height, Coffman et al. 1980).
 std::optional<AtlasPacking> packed(const std::vector<Chart>& charts, std::uint32_t size);
 
 /// Texture frame of a surface whose chart lies at a position of the atlas. Edges of charts run through texel centres
