@@ -28,8 +28,9 @@ public:
         if (largest_ < 1 || largest_ > 65535)
             throw ImageError("has a largest value of " + std::to_string(largest_) + ", expected 1 to 65535");
 
-        const std::size_t samples = is_bitmap_ || is_grey ? 1 : 3; // of a pixel
-        require_rows(std::uint64_t{width} * samples, height);
+        const std::size_t samples = is_bitmap_ || is_grey ? 1 : 3;           // of a pixel
+        if (std::uint64_t{width} * height > 8 * std::uint64_t{file_.left()}) // before memory is allocated
+            throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width, height);
         for (std::uint32_t y = 0; y < height; ++y) {
             const std::uint8_t* const bits = is_bitmap_ && !is_text_ ? file_.bytes((width + 7) / 8) : nullptr;
@@ -43,19 +44,6 @@ public:
     }
 
 private:
-    /// Throws ImageError if the file is too short for these rows. Nothing overflows here, since numbers are at most
-    /// 10^8 and samples have at most two bytes.
-    void require_rows(std::uint64_t samples, std::uint64_t rows) const
-    {
-        std::uint64_t least = samples * rows * (largest_ > 255 ? 2 : 1);
-        if (is_text_) // at least one digit per number, and separators
-            least = is_bitmap_ ? samples * rows : std::max(samples * rows, std::uint64_t{1}) * 2 - 1;
-        else if (is_bitmap_)
-            least = (samples + 7) / 8 * rows;
-        if (least > file_.left())
-            throw ImageError("ends too early");
-    }
-
     static std::uint8_t level_of_bit(unsigned bit) { return bit == 0 ? 255 : 0; } ///< 1 is black
 
     /// The next value, scaled to 0 ... 255, unless it is a single bit.
