@@ -184,63 +184,43 @@ void Scene::number_cells()
 
 namespace {
 
-/// Shadow rays towards the sun. An object of this class reuses its buffers; each thread needs its own.
-class SunRays
+/// The number of these points of a surface that the sun reaches.
+std::size_t count_sunlit(const Scene& scene, std::uint32_t surface, const std::vector<Vec3>& points)
 {
-public:
-    explicit SunRays(const Scene& scene) : scene_(scene) {}
+    std::vector<Line> rays;
+    rays.reserve(points.size());
+    for (const Vec3 point : points)
+        rays.push_back({point, scene.file().sun->direction});
+    const std::vector<std::uint32_t> from(points.size(), surface);
+    FirstHits hits;
+    scene.intersector().closest_hits_from(from.data(), rays.data(), rays.size(), hits);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k)
+        count += !hits.is_hit(k) || scene.is_sky(hits[k].surface) ? 1 : 0;
+    return count;
+}
 
-    /// The number of these points of a surface that the sun reaches.
-    std::size_t count_sunlit(std::uint32_t surface, const std::vector<Vec3>& points)
-    {
-        const Vec3 direction = scene_.file().sun->direction;
-        from_.assign(points.size(), surface);
-        rays_.clear();
-        for (const Vec3 point : points)
-            rays_.push_back({point, direction});
-        scene_.intersector().closest_hits_from(from_.data(), rays_.data(), rays_.size(), hits_);
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < rays_.size(); ++k)
-            count += !hits_.is_hit(k) || scene_.is_sky(hits_[k].surface) ? 1 : 0;
-        return count;
+/// The share of a patch that the sun reaches, estimated from `count` points of the R2 sequence (Roberts 2018), an
+/// additive recurrence of low discrepancy.
+double sunlit_share(const Scene& scene, const Patch& patch, std::size_t count)
+{
+    constexpr double step_u = 0.7548776662466927;
+    constexpr double step_v = 0.5698402909980532;
+    const bool is_triangle = patch.shape.shape == Shape::triangle;
+    // The first point, the middle of the square, is on an edge of the triangle, where rounding may hide the sun.
+    const std::size_t first = is_triangle ? 1 : 0;
+    std::vector<Vec3> points;
+    points.reserve(count);
+    for (std::size_t k = first; k < first + count; ++k) {
+        double u = 0.5 + static_cast<double>(k) * step_u;
+        double v = 0.5 + static_cast<double>(k) * step_v;
+        u -= std::floor(u);
+        v -= std::floor(v);
+        const bool fold = is_triangle && u + v > 1.0;
+        points.push_back(fold ? patch.shape.at(1.0 - u, 1.0 - v) : patch.shape.at(u, v));
     }
-
-    /// The share of a patch that the sun reaches, estimated from 16 points, or from 256 if those do not agree.
-    double visible_share(const Patch& patch)
-    {
-        const std::size_t sunlit = count_sunlit(patch, 16);
-        return sunlit == 0 || sunlit == 16 ? static_cast<double>(sunlit) / 16.0
-                                           : static_cast<double>(count_sunlit(patch, 256)) / 256.0;
-    }
-
-private:
-    /// The number of sunlit points among the first `count` of the R2 sequence (Roberts 2018), an additive recurrence of
-    /// low discrepancy.
-    std::size_t count_sunlit(const Patch& patch, std::size_t count)
-    {
-        constexpr double step_u = 0.7548776662466927;
-        constexpr double step_v = 0.5698402909980532;
-        const bool is_triangle = patch.shape.shape == Shape::triangle;
-        // The first point, the middle of the square, is on an edge of the triangle, where rounding may hide the sun.
-        const std::size_t first = is_triangle ? 1 : 0;
-        points_.clear();
-        for (std::size_t k = first; k < first + count; ++k) {
-            double u = 0.5 + static_cast<double>(k) * step_u;
-            double v = 0.5 + static_cast<double>(k) * step_v;
-            u -= std::floor(u);
-            v -= std::floor(v);
-            const bool fold = is_triangle && u + v > 1.0;
-            points_.push_back(fold ? patch.shape.at(1.0 - u, 1.0 - v) : patch.shape.at(u, v));
-        }
-        return count_sunlit(patch.surface, points_);
-    }
-
-    const Scene& scene_;
-    std::vector<Vec3> points_;
-    std::vector<std::uint32_t> from_;
-    std::vector<Line> rays_;
-    FirstHits hits_;
-};
+    return static_cast<double>(count_sunlit(scene, patch.surface, points)) / static_cast<double>(count);
+}
 
 } // namespace
 
@@ -285,12 +265,15 @@ void Scene::compute_sunlight(int threads)
     sun_shares_.assign(patch_count_, 0.0);
     constexpr std::uint32_t patches_at_a_time = 64;
     parallel_ranges(patch_count_, patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
-        SunRays rays(*this);
         for (std::uint32_t i = first; i < end; ++i) {
             const Patch side = patch(i);
             const double cosine = dot(side.shape.normal(), file_->sun->direction);
-            if (cosine > 0.0 && !is_sky(side.surface))
-                sun_shares_[i] = cosine * rays.visible_share(side);
+            if (!(cosine > 0.0) || is_sky(side.surface))
+                continue;
+            double share = sunlit_share(*this, side, 16);
+            if (share > 0.0 && share < 1.0) // the edge of a shadow
+                share = sunlit_share(*this, side, 256);
+            sun_shares_[i] = cosine * share;
         }
     });
     sun_power_ = {};
@@ -302,7 +285,7 @@ Rgb Scene::sunlight(std::uint32_t surface, Vec3 point, Vec3 normal) const
 {
     const double cosine = file_->sun ? dot(normal, file_->sun->direction) : 0.0;
     const bool of_sky = surface != Intersector::no_surface && is_sky(surface);
-    if (!(cosine > 0.0) || of_sky || SunRays(*this).count_sunlit(surface, {point}) == 0)
+    if (!(cosine > 0.0) || of_sky || count_sunlit(*this, surface, {point}) == 0)
         return {};
     return cosine * file_->sun->irradiance;
 }
