@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <map>
 
 namespace multipath {
 
 namespace {
 
-struct LitArea
-{
-    double brightness = 0.0; ///< [W/m^2] of the brightest channel
-    double area = 0.0;       ///< [m^2]
-};
+/// Areas of patches [m^2] by the brightness of their brightest channel [W/m^2], the brightest first.
+using LitAreas = std::multimap<double, double, std::greater<>>;
 
 /// [W/m^2] Brightest channel of a patch; of a textured patch as if its texture were white.
 double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, std::uint32_t patch)
@@ -25,27 +24,26 @@ double white_brightness(const Scene& scene, const std::vector<Rgb>& radiosity, s
     return std::max({light.r, light.g, light.b});
 }
 
-std::vector<LitArea> lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool with_lamps)
+LitAreas lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool with_lamps)
 {
-    std::vector<LitArea> areas;
+    LitAreas areas;
     for (std::uint32_t patch = 0; patch < scene.patch_count(); ++patch)
         if (!scene.is_sky(scene.surface_of(patch)) && (with_lamps || scene.emittance(patch) == Rgb{}))
-            areas.push_back({white_brightness(scene, radiosity, patch), scene.area(patch)});
+            areas.emplace(white_brightness(scene, radiosity, patch), scene.area(patch));
     return areas;
 }
 
-/// [W/m^2] The brightness that is reached or exceeded on a share of the area (a weighted quantile). `areas` must be
-/// sorted by decreasing brightness.
-double exceeded_on(double share, const std::vector<LitArea>& areas)
+/// [W/m^2] The brightness that is reached or exceeded on a share of the area (a weighted quantile).
+double exceeded_on(double share, const LitAreas& areas)
 {
     double total = 0.0;
-    for (const LitArea& lit : areas)
-        total += lit.area;
+    for (const auto& [brightness, area] : areas)
+        total += area;
     double before = 0.0;
-    for (const LitArea& lit : areas) {
-        before += lit.area;
+    for (const auto& [brightness, area] : areas) {
+        before += area;
         if (before > share * total)
-            return lit.brightness;
+            return brightness;
     }
     return 0.0;
 }
@@ -54,11 +52,9 @@ double exceeded_on(double share, const std::vector<LitArea>& areas)
 
 double linear_scale(const Scene& scene, const std::vector<Rgb>& radiosity)
 {
-    std::vector<LitArea> areas = lit_areas(scene, radiosity, false);
+    LitAreas areas = lit_areas(scene, radiosity, false);
     if (areas.empty())
         areas = lit_areas(scene, radiosity, true);
-    std::sort(areas.begin(), areas.end(),
-              [](const LitArea& a, const LitArea& b) { return a.brightness > b.brightness; });
     const double bright = exceeded_on(0.01, areas);
     const double middle = exceeded_on(0.5, areas);
     if (!(bright > 0.0))
