@@ -211,7 +211,8 @@ public:
             std::vector<ObjCorner> corners;
             for (const TexturePoint corner : part)
                 corners.push_back(new_corner(piece, corner, replacement.whole));
-            if (is_parallelogram(part))
+            if (part.size() == 4 && is_parallelogram(mesh_.at(corners[0]), mesh_.at(corners[1]), mesh_.at(corners[2]),
+                                                     mesh_.at(corners[3]), scale_))
                 add({corners[0], corners[1], corners[2], corners[3]});
             else
                 for (std::size_t i = 2; i < part.size(); ++i)
@@ -253,13 +254,6 @@ private:
                 parts.push_back(std::move(part));
         }
         return parts;
-    }
-
-    static bool is_parallelogram(const TexturePolygon& p)
-    {
-        constexpr double tolerance = 1e-9; // [pixels]
-        return p.size() == 4 && std::abs(p[1].s - p[0].s - (p[2].s - p[3].s)) <= tolerance &&
-               std::abs(p[1].t - p[0].t - (p[2].t - p[3].t)) <= tolerance;
     }
 
     /// Adds the vertex and the texture point of a piece at a point of its footprint.
