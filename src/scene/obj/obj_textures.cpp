@@ -1,6 +1,6 @@
 // A reflectance map is kept, with a frame for each of its surfaces, so that every patch can have its own mean. An
 // emission map is averaged at once over all surfaces of its material, which has a single emittance. Colours of vertices
-// become a texture with a pixel for each colour, unless a material has only one.
+// become a texture with a pixel for each colour.
 
 #include "scene/obj/obj_textures.h"
 
@@ -15,7 +15,6 @@
 #include <map>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -185,26 +184,19 @@ private:
         palette_ = palette();
         const std::size_t count = definitions_.size();
         std::vector<Rgb> sums(count); // of area times colour
-        std::vector<std::optional<std::uint32_t>> last(count);
-        std::vector<bool> has_several(count);
+        std::vector<bool> is_coloured(count);
         for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
             const std::uint32_t m = scene_.material[s];
-            const std::uint32_t colour = cut_.pieces[s].colour;
             sums[m] += scene_.surfaces[s].area() * palette_->mean(TexturePolygon{frame_of_colour(s).origin});
-            has_several[m] = has_several[m] || last[m].value_or(colour) != colour;
-            last[m] = colour;
+            is_coloured[m] = is_coloured[m] || cut_.pieces[s].colour != Piece::no_colour;
         }
         for (std::size_t m = 0; m < count; ++m) {
             Material& material = scene_.materials[m];
-            const bool is_coloured = has_several[m] || last[m].value_or(Piece::no_colour) != Piece::no_colour;
-            if (!is_coloured || material.texture != Material::no_texture)
+            if (!is_coloured[m] || material.texture != Material::no_texture)
                 continue;
-            const Rgb kd = definitions_[m].kd_line == 0 ? Rgb{limit, limit, limit} : material.reflectance;
-            material.reflectance = kd * (1.0 / areas_[m] * sums[m]);
-            if (has_several[m]) {
-                material.texture = index_of(palette_);
-                material.texture_scale = kd;
-            }
+            material.texture = index_of(palette_);
+            material.texture_scale = definitions_[m].kd_line == 0 ? Rgb{limit, limit, limit} : material.reflectance;
+            material.reflectance = material.texture_scale * (1.0 / areas_[m] * sums[m]);
         }
         scene_.warnings.push_back(scene_.path + ": the colours of vertices, decoded from sRGB, multiply Kd; a surface "
                                                 "has the mean of its corners");
