@@ -42,8 +42,7 @@ struct SceneFile
 {
     std::string path;
     std::vector<std::string> material_files; ///< paths of all MTL files that were read, even if no face uses them
-    /// Paths of all images that the MTL files name, read or not: where they were found, and where they are looked for
-    /// first.
+    /// Paths of all textures that the MTL files name: where they were found, and where they are looked for first.
     std::vector<std::string> texture_files;
     std::vector<Material> materials;
     /// Names in `o` and `g` statements that apply to a face, in order of appearance; "" for faces before the first such
@@ -87,7 +86,7 @@ struct SceneFile
     std::vector<std::string> warnings;          ///< one plain line each, beginning with "file:line:" or "file:"
     std::vector<std::string> unknown_materials; ///< names that faces use but no file defines; these materials are grey
     std::vector<std::string> unused_materials;  ///< "file:line: name" of materials that are defined but used by no face
-    std::string counts; ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces; 1 material not used"
+    std::string counts;                         ///< summary: "12 materials, 1 emitter, 240 faces -> 243 surfaces"
 };
 
 /// The six walls of a room, facing inward: floor, ceiling (y is up), low x, high x, low z, high z.

@@ -113,7 +113,7 @@ denormal_lamp() {
     sed 's/^Ke .*/Ke 1e-323 1e-323 1e-323/' "$root/scenes/cube.mtl" >cube.mtl
     cp "$root/scenes/cube.obj" cube.obj
     for command in check explain "solve -o dark.csv --method first-shot" "study -o dark.svg"; do
-        ends 1 $command cube.obj && lines_are err 1 && says err "no emitter" && says err "below 1e-30, which counts as 0" || return
+        ends 1 $command cube.obj && lines_are err 1 && says err "no emitter" && says err "above 0 (1e-30 or more)" || return
     done
 }
 check "a light too small to compute with is none, and that is said" denormal_lamp

@@ -133,22 +133,22 @@ inputs() {
 }
 check "no input is overwritten, neither by another name nor as a material file" inputs
 
-# The folder holds a scene whose default pictures would have the names of its textures: one that is read, one of an ignored
-# statement, and two that are missing and would be found next time.
+# The folder holds a scene whose default pictures would have the names of its textures: one that is read, and two that are
+# missing and would be found next time.
 textures() {
-    mkdir textures && cd textures && mkdir maps && sed 's/cube\.mtl/a.mtl/' "$scene" >a.obj &&
-        sed '/^Kd/a map_Kd A.ppm\nmap_Bump maps/bump.ppm\nmap_Ke c:\\old\\Missing.ppm\nmap_d not_there.ppm' "$root/scenes/cube.mtl" >a.mtl || return
-    printf 'P3 1 1 255 128 128 128\n' >a.ppm && cp a.ppm maps/bump.ppm && cp a.ppm old && cp a.obj a.csv
+    mkdir textures && cd textures && sed 's/cube\.mtl/a.mtl/' "$scene" >a.obj &&
+        sed '/^Kd/a map_Kd A.ppm\nmap_Ke c:\\old\\Missing.ppm\nmap_d not_there.ppm' "$root/scenes/cube.mtl" >a.mtl || return
+    printf 'P3 1 1 255 128 128 128\n' >a.ppm && cp a.ppm old && cp a.obj a.csv
     ln -s a.ppm soft.png && ln a.ppm hard.svg
     few="--lines 1000 --patches 100 --size 8x8 --quiet"
     ends 2 solve a.obj $few && says err "'a.ppm' is an input" || return
     ls -A >../before
-    for output in ./a.ppm A.PPM maps/../a.ppm soft.png maps/bump.ppm maps/BUMP.ppm missing.ppm not_there.ppm; do
+    for output in ./a.ppm A.PPM ../textures/a.ppm soft.png missing.ppm not_there.ppm; do
         ends 2 solve a.obj $few -o $output && says err "is an input" || return
     done
     ends 2 explain a.obj --of 1000 -o hard.svg && says err "is an input" || return
     ends 2 selftest a.csv -o a.csv && says err "is an input" || return
-    ls -A >../after && cmp ../before ../after && cmp a.ppm old && cmp maps/bump.ppm old || return
+    ls -A >../after && cmp ../before ../after && cmp a.ppm old || return
     ends 0 solve a.obj $few --state a.state -o a.glb && ends 2 render a.state --quiet &&
         says err "'a.ppm' is an input" && ends 2 render a.state --quiet -o missing.ppm && says err "is an input" || return
     for k in 1 2; do ends 0 solve a.obj $few --shard $k/2 --state $k.state || return; done

@@ -27,12 +27,6 @@ namespace fs = std::filesystem;
 constexpr double largest_emittance = 1e30;
 constexpr double smallest_emittance = 1e-30;
 
-bool names_image(std::string_view keyword)
-{
-    constexpr std::array<std::string_view, 5> others = {"bump", "disp", "decal", "refl", "norm"};
-    return keyword.substr(0, 4) == "map_" || std::find(others.begin(), others.end(), keyword) != others.end();
-}
-
 /// The entry of a folder with this name, or else with this name in another case: the first of them in order of names,
 /// which does not depend on the file system.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
@@ -115,17 +109,9 @@ private:
         else if (keyword == "map_d" || keyword == "map_D")
             set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
         else
-            ignore(keyword, rest, line.place);
+            flaws_.add("ignored, since only Kd and " + emission_keyword() + " count", line.place.line, keyword);
         if (keyword == "d" && current_)
             library_.materials[*current_].opacity = to_number(next_word(rest)).value_or(1.0);
-    }
-
-    void ignore(std::string_view keyword, std::string_view rest, TextLocation place)
-    {
-        flaws_.add("ignored, since only Kd and Ke count", place.line, keyword);
-        std::vector<std::string_view> unused;
-        if (names_image(keyword))
-            read_map(rest, unused);
     }
 
     /// Begins a material. A repeated definition replaces the earlier one, at its index.
@@ -162,9 +148,6 @@ private:
         MtlMaterial& current = current_material("Ke", place);
         const Rgb emittance = value("Ke", rest, place, largest_emittance, current.emission_line);
         current.material.emittance = by_channel([](double e) { return e < smallest_emittance ? 0.0 : e; }, emittance);
-        current.emission_too_small = current.material.emittance != emittance;
-        if (current.emission_too_small)
-            library_.warnings.push_back(name_of(place) + ": " + subject("Ke") + " is below 1e-30, which counts as 0");
     }
 
     /// The colour in a statement that may occur once in a material; `line` is that of the earlier one, or 0.
@@ -196,12 +179,7 @@ private:
     void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
     {
         MtlMaterial& current = current_material(keyword, place);
-        std::vector<std::string_view> ignored_options;
-        TextureMap result = read_map(rest, ignored_options);
-        result.line = place.line;
-        for (const std::string_view option : ignored_options)
-            flaws_.add("options of textures that are ignored", place.line,
-                       std::string(keyword) + ' ' + std::string(option));
+        const TextureMap result = read_map(keyword, rest, place.line);
         if (!result.file.empty())
             current.*map = result;
     }
@@ -222,10 +200,11 @@ private:
     }
 
     /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-    /// blanks. `ignored_options`: those without effect.
-    TextureMap read_map(std::string_view rest, std::vector<std::string_view>& ignored_options)
+    /// blanks.
+    TextureMap read_map(std::string_view keyword, std::string_view rest, std::uint32_t line)
     {
         TextureMap result;
+        result.line = line;
         for (std::string_view after = rest;; rest = after) {
             const std::string_view option = next_word(after);
             if (option.size() < 2 || option[0] != '-')
@@ -244,7 +223,8 @@ private:
                 if (option == "-clamp")
                     result.repeats = word != "on";
                 else
-                    ignored_options.push_back(option);
+                    flaws_.add("options of textures that are ignored", line,
+                               std::string(keyword) + ' ' + std::string(option));
             }
         }
         result.file = std::string(name_in(rest));

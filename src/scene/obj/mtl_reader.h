@@ -36,7 +36,6 @@ struct MtlMaterial
     TextureMap reflectance_map;      ///< `map_Kd`
     TextureMap emission_map;         ///< `map_Ke`
     TextureMap opacity_map;          ///< `map_d`
-    bool emission_too_small = false; ///< true if a channel was positive but below 1e-30, which counts as 0
     bool is_unknown = false;         ///< stands in for a material that no file defines
 };
 
@@ -45,16 +44,16 @@ struct MaterialLibrary
 {
     std::vector<MtlMaterial> materials;                            ///< in the order of their first definition
     std::unordered_map<std::string, std::uint32_t> number_of_name; ///< index into `materials`
-    /// Paths of all images that the files name, also in statements that are ignored: where they were found, and where
-    /// they are looked for first.
+    /// Paths of all textures that the files name: where they were found, and where they are looked for first.
     std::vector<std::string> texture_files;
     std::vector<std::string> warnings;
 };
 
 /// Adds the materials of an MTL file to a library. A later definition of a name replaces an earlier one, with a
-/// warning. Other statements than Kd, the emission and their textures are ignored, with a warning. Throws InputError
-/// for a file that cannot be read; for a reflectance or an emission that is malformed, negative or before the first
-/// `newmtl`; for an emission above 1e30; and for a texture before the first `newmtl`.
+/// warning. Emission below 1e-30 counts as 0. Other statements than Kd, the emission and their textures are ignored,
+/// with a warning. Throws InputError for a file that cannot be read; for a reflectance or an emission that is
+/// malformed, negative or before the first `newmtl`; for an emission above 1e30; and for a texture before the first
+/// `newmtl`.
 void read_mtl(const std::string& path, MaterialLibrary& library);
 
 /// The files that a `mtllib` statement names.

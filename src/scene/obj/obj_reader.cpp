@@ -188,12 +188,11 @@ void make_lamps(const std::vector<LampMaterial>& lamps, std::vector<Material>& m
     }
 }
 
-/// Why a scene has no light. `used` and `unused`: the materials that surfaces have, and those that none has.
+/// Why a scene has no light. `unused`: the materials that no surface has.
 std::string explain_darkness(const ObjMesh& mesh, const Names& missing_files, const Names& unread_textures,
-                             const std::vector<MtlMaterial>& used, const std::vector<MtlMaterial>& unused,
-                             const SceneFile& scene)
+                             const std::vector<MtlMaterial>& unused, const SceneFile& scene)
 {
-    std::string problem = "no emitter, expected a face whose material has Ke above 0";
+    std::string problem = "no emitter, expected a face whose material has Ke above 0 (1e-30 or more)";
     if (mesh.libraries.empty())
         problem += "; no material file is named (`mtllib`)";
     const auto list = [&](const char* cause, const Names& names) {
@@ -202,8 +201,6 @@ std::string explain_darkness(const ObjMesh& mesh, const Names& missing_files, co
     };
     list("; no such material file: ", missing_files);
     list("; used but not defined: ", scene.unknown_materials);
-    list("; below 1e-30, which counts as 0: ",
-         names_where(used, [](const MtlMaterial& m) { return m.emission_too_small; }));
     list("; emitting but used by no face: ",
          names_where(unused, [](const MtlMaterial& m) { return m.material.emittance != Rgb{}; }));
     if (!unread_textures.empty())
@@ -268,21 +265,12 @@ void add_surfaces(const LargeVector<Piece>& pieces, const ObjMesh& mesh, SceneFi
     }
 }
 
-std::string summary(const SceneFile& scene, const ObjMesh& mesh, std::size_t merged_pairs)
+std::string summary(const SceneFile& scene, const ObjMesh& mesh)
 {
-    Names notes;
-    const auto note = [&](std::size_t count, const char* noun, const char* fate) {
-        if (count != 0)
-            notes.push_back(counted(count, noun) + fate);
-    };
-    note(merged_pairs, "pair", " of triangles joined");
-    note(scene.unknown_materials.size(), "unknown material", " replaced");
-    note(scene.unused_materials.size(), "material", " not used");
     const auto emitters = std::count_if(scene.materials.begin(), scene.materials.end(),
                                         [](const Material& m) { return m.emittance != Rgb{}; });
     return counted(scene.materials.size(), "material") + ", " + counted(static_cast<std::size_t>(emitters), "emitter") +
-           ", " + counted(mesh.faces.size(), "face") + " -> " + counted(scene.surfaces.size(), "surface") +
-           (notes.empty() ? "" : "; " + join(notes));
+           ", " + counted(mesh.faces.size(), "face") + " -> " + counted(scene.surfaces.size(), "surface");
 }
 
 } // namespace
@@ -318,7 +306,7 @@ SceneFile read_obj(const std::string& path, const ObjChanges& changes)
     constexpr double smallest_extent = 1e-9; // the counterpart of the largest coordinate, 1e9
     if (scale.extent < smallest_extent)
         refuse({path, 0}, "all faces lie within 1e-9 of each other, expected a scene of sensible size");
-    const std::size_t merged_pairs = merge_triangles(cut.pieces, mesh, scale);
+    merge_triangles(cut.pieces, mesh, scale);
     TextureFiles textures;
     append(scene.warnings, cut_out(definitions, scale, textures, mesh, cut.pieces));
     if (cut.pieces.empty())
@@ -333,9 +321,9 @@ SceneFile read_obj(const std::string& path, const ObjChanges& changes)
                                  [&](std::uint32_t m) { return scene.materials[m].emittance != Rgb{}; });
     std::optional<std::string> darkness;
     if (!lit && !changes.lit_from_outside)
-        darkness = explain_darkness(mesh, missing_files, unread, used, library.materials, scene);
+        darkness = explain_darkness(mesh, missing_files, unread, library.materials, scene);
     require_physics(used, darkness, mesh, scene);
-    scene.counts = summary(scene, mesh, merged_pairs);
+    scene.counts = summary(scene, mesh);
     return scene;
 }
 

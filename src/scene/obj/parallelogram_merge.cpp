@@ -25,14 +25,13 @@ public:
     {
     }
 
-    std::size_t merge()
+    void merge()
     {
         weld_corners();
         list_triangles_by_vertex();
         merge_across_edges(true);
         merge_across_edges(false);
         pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_removed), pieces_.end());
-        return pair_count_;
     }
 
 private:
@@ -121,7 +120,6 @@ private:
             return false;
         first.corners = joined;
         second.corners[0].vertex = ObjCorner::none;
-        ++pair_count_;
         return true;
     }
 
@@ -150,14 +148,13 @@ private:
     const SceneScale scale_;
     /// The triangles at vertex v are triangles_[starts_[v]] ... triangles_[starts_[v + 1] - 1].
     LargeVector<std::uint32_t> starts_, triangles_;
-    std::size_t pair_count_ = 0;
 };
 
 } // namespace
 
-std::size_t merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale)
+void merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale)
 {
-    return TriangleMerger(pieces, mesh, scale).merge();
+    TriangleMerger(pieces, mesh, scale).merge();
 }
 
 } // namespace multipath

@@ -2,7 +2,6 @@
 
 #include "scene/obj/mesh_pieces.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace multipath {
@@ -11,7 +10,7 @@ namespace multipath {
 /// the same material, group and colour and, if textured, form one parallelogram in the texture, too. Most exporters cut
 /// rectangles in two; whole rectangles give fewer and better patches. The parallelogram takes the place of the first
 /// triangle of the pair; otherwise the order of the pieces stays. Corners at the same position get the same vertex in
-/// all pieces. Returns the number of pairs. A greedy method in linear time.
-std::size_t merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale);
+/// all pieces. A greedy method in linear time.
+void merge_triangles(LargeVector<Piece>& pieces, const ObjMesh& mesh, const SceneScale& scale);
 
 } // namespace multipath

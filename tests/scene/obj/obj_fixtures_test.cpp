@@ -111,7 +111,7 @@ const std::vector<Fails> failures = {
     {"06_index_too_big", ":5: vertex 99 does not exist, the file has 4"},
     {"07_index_overflow", ":5: vertex number `99999999999999999999` is too large"},
     {"12_missing_mtl",
-     ": no emitter, expected a face whose material has Ke above 0; no such material file: `nope.mtl`"},
+     ": no emitter, expected a face whose material has Ke above 0 (1e-30 or more); no such material file: `nope.mtl`"},
     {"16_nan", ":1: vertex: `nan` is not a finite number"},
     {"17_inf1e400", ":1: vertex: `1e400` is not a finite number"},
     {"19_commas", ":1: vertex: `0,0` is not a finite number, expected a decimal point"},
