@@ -176,14 +176,6 @@ private:
         return {values.front(), values[values.size() / 2], values.back()};
     }
 
-    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
-    {
-        MtlMaterial& current = current_material(keyword, place);
-        const TextureMap result = read_map(keyword, rest, place.line);
-        if (!result.file.empty())
-            current.*map = result;
-    }
-
     /// The first two of one to three numbers after an option, which leave `rest`; those that lack are `missing`.
     static TexturePoint numbers(std::string_view& rest, double missing)
     {
@@ -200,11 +192,12 @@ private:
     }
 
     /// Parses options, each a word that begins with "-" followed by values, and the name of a file, which may contain
-    /// blanks.
-    TextureMap read_map(std::string_view keyword, std::string_view rest, std::uint32_t line)
+    /// blanks. Without a name the statement has no effect.
+    void set_map(std::string_view keyword, std::string_view rest, TextLocation place, TextureMap MtlMaterial::*map)
     {
+        MtlMaterial& current = current_material(keyword, place);
         TextureMap result;
-        result.line = line;
+        result.line = place.line;
         for (std::string_view after = rest;; rest = after) {
             const std::string_view option = next_word(after);
             if (option.size() < 2 || option[0] != '-')
@@ -223,15 +216,17 @@ private:
                 if (option == "-clamp")
                     result.repeats = word != "on";
                 else
-                    flaws_.add("options of textures that are ignored", line,
+                    flaws_.add("options of textures that are ignored", place.line,
                                std::string(keyword) + ' ' + std::string(option));
             }
         }
         result.file = std::string(name_in(rest));
         if (result.file.size() > 2 && result.file.front() == '"' && result.file.back() == '"')
             result.file = result.file.substr(1, result.file.size() - 2);
-        result.found = result.file.empty() ? "" : texture(result.file);
-        return result;
+        if (result.file.empty())
+            return;
+        result.found = texture(result.file);
+        current.*map = result;
     }
 
     /// The path of an image; empty if it is not found. Each name is looked up once, which may list many folders.
