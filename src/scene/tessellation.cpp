@@ -28,10 +28,6 @@ double cells_along(double edge, double patch_size)
     return std::max(1.0, std::ceil(edge / patch_size - 1e-6));
 }
 
-} // namespace
-
-namespace {
-
 /// The four cells that a cell divides into. Those of a triangle lie at its origin, in its middle, at the end of its
 /// edge_v and at the end of its edge_u.
 std::array<GridCell, 4> parts_of(const GridCell& cell, Shape shape)
