@@ -4,6 +4,8 @@
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
 #include "scene/surface_edges.h"
+#include "transport/lines/line_segments.h"
+#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -205,9 +207,19 @@ private:
             1.0);
     }
 
+    /// Of rays from the front of a surface; the lines of the survey may have met it by chance a few times only.
+    bool no_ray_arrives(std::uint32_t surface) const
+    {
+        RayBlock rays;
+        rays.items.resize(256);
+        make_sequence("random", 1)->generate(0, rays.items);
+        rays.patches.assign(rays.items.size(), scene_.first_patch(surface));
+        rays.trace(scene_);
+        return std::none_of(rays.receivers.begin(), rays.receivers.end(), Segment::is_patch);
+    }
+
     void idle_emitters()
     {
-        constexpr std::uint64_t few = 32; // departures: that none arrives may be chance
         std::vector<std::uint32_t> idle;
         double idle_power = 0.0;
         bool any_lights = false;
@@ -215,7 +227,7 @@ private:
             if (!emits(scene_, s))
                 continue;
             any_lights = any_lights || survey_.arrivals[s] > 0;
-            if (survey_.departures[s] > few && survey_.arrivals[s] == 0) {
+            if (survey_.departures[s] > 0 && survey_.arrivals[s] == 0 && no_ray_arrives(s)) {
                 idle.push_back(s);
                 idle_power += power(s);
             }

@@ -109,7 +109,7 @@ private:
         else if (keyword == "map_d" || keyword == "map_D")
             set_map(keyword, rest, line.place, &MtlMaterial::opacity_map);
         else
-            flaws_.add("ignored, since only Kd and " + emission_keyword() + " count", line.place.line, keyword);
+            flaws_.add("ignored, since only Kd and Ke count", line.place.line, keyword);
         if (keyword == "d" && current_)
             library_.materials[*current_].opacity = to_number(next_word(rest)).value_or(1.0);
     }

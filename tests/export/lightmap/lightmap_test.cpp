@@ -315,9 +315,10 @@ TEST_CASE("over a texture a texel is the mean of its square")
     file.texture_frames.resize(file.surfaces.size());
     file.materials[0].texture = 0;
     const Scene scene(file, 1.0);
-    const auto stripes = [&](std::uint32_t s, bool, double u, double v) { // of a thousandth of a unit
+    const double texels_per_unit = lightmap(scene, 256, places_of(scene), 1).texels_per_unit;
+    const auto stripes = [&](std::uint32_t s, bool, double u, double v) { // 33 pairs to a texel
         const double x = scene.surfaces()[s].at(u, v).x;
-        return Rgb{std::abs(std::remainder(1000.0 * x, 1.0)) < 0.25 ? 1.0 : 0.0, x, 0.0};
+        return Rgb{std::abs(std::remainder(33.0 * texels_per_unit * x, 1.0)) < 0.25 ? 1.0 : 0.0, x, 0.0};
     };
     const Lightmap map = lightmap(scene, 256, stripes, 1);
     double sum = 0.0;
