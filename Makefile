@@ -24,6 +24,10 @@ OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
 $(if $(word 2,$(BUILD)),$(error BUILD: the folder '$(BUILD)' has blanks in its name; expected one without))
+# FreeBSD has c++, not g++.
+ifeq ($(origin CXX)$(shell command -v g++ 2>/dev/null),default)
+CXX := c++
+endif
 triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
 windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
 exe      := $(if $(windows),.exe)

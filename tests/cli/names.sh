@@ -58,7 +58,8 @@ beyond_ascii() {
     set -- "Räume für 5 €/Würfel.obj" $quick --state "Räume für 5 €/Zustand.state" -o "Räume für 5 €/Größe λ.csv"
     cd .. && ends 0 solve "$@" --lines 1000 && ends 0 solve "$@" --lines 2000 --resume && cd "Räume für 5 €" &&
         [ "$(printf '%s\n' *)" = "$(printf '%s\n' "Größe λ.csv" Maps Würfel.obj Zustand.state cube.mtl | sort)" ] &&
-        grep -q '^# command: .*Würfel.obj' "Größe λ.csv"
+        grep -q '^# command: .*Würfel.obj' "Größe λ.csv" || return
+    printf 'newmtl old\nmap_Kd B\344ume.ppm\n' >>cube.mtl && ends 0 check Würfel.obj --lines 1000 # Latin-1, of an old file
 }
 check "names may have any characters" beyond_ascii
 
