@@ -1,5 +1,5 @@
 # make            builds ./multipath
-# make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm here
+# make demo       solves the bundled scene 5CUBES and leaves 5cubes.png and 5cubes.ppm beside the program
 # make test       builds and runs the tests, except
 # make long-tests those that take long: statistics, every option at its limits, interrupts, installation
 # make sweep      judges random scenes of every kind, SEEDS=1-1000, or files, OBJ=FOLDER, by every method against particles
@@ -23,11 +23,17 @@
 OPTIMISE  = -O3
 CXXFLAGS ?= $(OPTIMISE)
 BUILD    ?= build
+$(if $(word 2,$(BUILD)),$(error BUILD: the folder '$(BUILD)' has blanks in its name; expected one without))
+# FreeBSD has c++, not g++.
+ifeq ($(origin CXX)$(shell command -v g++ 2>/dev/null),default)
+CXX := c++
+endif
 triple   := $(shell $(CXX) -dumpmachine 2>/dev/null)
 windows  := $(findstring mingw,$(triple))$(findstring windows,$(triple))
 exe      := $(if $(windows),.exe)
 pthread  ?= -pthread
-PROGRAM  ?= $(if $(filter build,$(BUILD)),,$(BUILD)/)multipath$(exe)
+here     := $(if $(filter build,$(BUILD)),,$(BUILD)/)
+PROGRAM  ?= $(here)multipath$(exe)
 run       = $(if $(windows),$(if $(filter Windows_NT,$(OS)),,wine)) "$(abspath $(PROGRAM))"
 # Where addresses have 32 bits, every count of 64 bits that numbers something would be warned of. On ARM, g++ would tell of
 # each call that is passed otherwise than before version 10.
@@ -39,6 +45,9 @@ machine  := $(if $(filter i386-% i486-% i586-% i686-%,$(triple)),-msse2 -mfpmath
 ifneq ($(windows),)
 WARNINGS += -Wno-format
 LDFLAGS  += -static
+# g++ takes the stack of Windows for more aligned than it is (GCC bug 54412), unless its distribution has changed that.
+unaligned := -Wa,-muse-unaligned-vector-move
+machine  += $(if $(shell echo | $(CXX) -Wa,--help -c -x assembler - 2>/dev/null | grep muse-unaligned-vector),$(unaligned))
 manifest := $(BUILD)/src/base/platform/windows.res
 WINDRES  ?= $(shell for name in $(firstword $(subst -g++, ,$(CXX)))-windres windres x86_64-w64-mingw32-windres; do \
                 command -v $$name && break; done)
@@ -60,7 +69,8 @@ test_units = $(if $(filter no,$(UNITY)),$(test_sources:%.cpp=%),$(call folders,$
 objects      = $(units:%=$(BUILD)/%.o)
 test_objects = $(test_units:%=$(or $(TESTS),$(BUILD))/%.o)
 
-ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+# Not below another make, which has its own.
+ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS))$(filter-out 0,$(MAKELEVEL)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 
@@ -73,7 +83,7 @@ $(manifest): src/base/platform/windows.rc src/base/platform/windows.manifest
 	$(Q)$(WINDRES) -O coff -o $@ $<
 
 demo: $(PROGRAM)
-	$(run) solve scenes/5cubes.obj --lines 2^22 -o 5cubes.png -o 5cubes.ppm
+	$(run) solve scenes/5cubes.obj --lines 2^22 -o $(here)5cubes.png -o $(here)5cubes.ppm
 
 paper: $(PROGRAM)
 	$(run) paper -o $(BUILD)/paper
@@ -110,7 +120,7 @@ $(filter $(BUILD)/src/viewer%,$(objects)): $(BUILD)/generated/viewer/page_files.
 
 $(page_with_parts): src/viewer/page.awk $(wildcard src/viewer/page/*)
 	@mkdir -p $(@D)
-	@cd src/viewer/page && awk -f ../page.awk page.html > $(abspath $@.new)
+	@cd src/viewer/page && awk -f ../page.awk page.html > "$(abspath $@.new)"
 	@mv $@.new $@
 
 $(BUILD)/generated/viewer/page_files.inc: $(page_with_parts)
@@ -208,7 +218,7 @@ dist:
 	@mkdir -p $(BUILD)
 	@if [ -e .git ]; then git archive -o $(BUILD)/$(archive).tar.gz --prefix=$(archive)/ HEAD; else \
 	    rm -rf $(BUILD)/$(archive) && mkdir $(BUILD)/$(archive) && cp -R $(packed) $(BUILD)/$(archive) && \
-	    tar -czf $(BUILD)/$(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
+	    chmod -R u+w $(BUILD)/$(archive) && tar -czf $(BUILD)/$(archive).tar.gz -C $(BUILD) $(archive) && rm -r $(BUILD)/$(archive); fi
 	@echo $(BUILD)/$(archive).tar.gz
 
 WINDOWS_CXX ?= $(if $(windows),$(CXX),x86_64-w64-mingw32-g++-posix)

@@ -4,6 +4,7 @@
 // in the cache. The file itself records the sources of the program, and a program from other sources does not use it.
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -271,7 +271,7 @@ std::string cache_folder(const CommandLine& line, const std::vector<std::string>
     const auto file = std::find_if(outputs.begin(), outputs.end(), [](const std::string& path) { return path != "-"; });
     std::string folder = line.text("cache");
     if (!line.has("cache") && file != outputs.end())
-        folder = std::filesystem::path(*file).replace_extension(".cache").string();
+        folder = path_of(*file).replace_extension(".cache").u8string();
     if (!folder.empty())
         make_folder(folder);
     return folder;
@@ -302,7 +302,7 @@ std::optional<Reference> kept_reference(const std::string& path, const std::vect
                                         const Scene& scene)
 {
     std::error_code error;
-    if (!std::filesystem::exists(path, error))
+    if (!std::filesystem::exists(path_of(path), error))
         return std::nullopt;
     const PatchTable table = read_patch_table(path);
     if (table.comments != facts)
@@ -360,7 +360,7 @@ std::vector<Curve> other_curves(const std::vector<std::string>& paths)
 {
     std::vector<Curve> curves;
     for (const std::string& path : paths) {
-        const std::string name = std::filesystem::path(path).stem().string();
+        const std::string name = path_of(path).stem().u8string();
         for (const Curve& other : curves)
             if (other.kind.method == name)
                 throw UsageError("--with: two files are called " + quoted_argument(name) +
@@ -372,8 +372,7 @@ std::vector<Curve> other_curves(const std::vector<std::string>& paths)
 
 std::string plot_title(const Scene& scene)
 {
-    return std::filesystem::path(scene.path()).filename().string() + ", " + std::to_string(scene.patch_count()) +
-           " patches";
+    return path_of(scene.path()).filename().u8string() + ", " + std::to_string(scene.patch_count()) + " patches";
 }
 
 } // namespace

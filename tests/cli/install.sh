@@ -21,6 +21,25 @@ installs() {
 }
 check "make install puts every file where it belongs, and no other" installs
 
+# The folder of the sources has blanks in its name and may not be written.
+elsewhere_without_git() {
+    cp -R copy "with blanks/copy" && chmod -R a-w "with blanks/copy" || return
+    set -- -s -C "with blanks/copy" BUILD="$here/objects"
+    make "$@" "$here/objects/generated/viewer/page_files.inc" "$here/objects/generated/cli/sources_checksum.inc" && make "$@" dist
+    result=$?
+    chmod -R u+w "with blanks/copy" && [ $result -eq 0 ] && [ -s objects/generated/viewer/page_files.inc ] &&
+        [ -s objects/multipath-*.gz ] && [ "$(ls objects | wc -l)" -eq 2 ]
+}
+check "make writes nothing among sources that are read-only, in a folder with blanks" elsewhere_without_git
+
+blanks_in_build() { ! make -n -C copy "BUILD=$here/with blanks" >out 2>&1 && says out "has blanks in its name"; }
+check "a folder of objects with blanks is refused" blanks_in_build
+
+below_another_make() {
+    printf 'all:\n\t+@$(MAKE) -n -C copy\n' >outer && make -s -j2 -f outer >out 2>err && says out "link    multipath" && silent err
+}
+check "another make may call it" below_another_make
+
 # `install` of BSD has the options -c, -d and -m, before all operands. Other systems have no `nproc`.
 other_tools() {
     mkdir tools && cat >tools/install <<END &&

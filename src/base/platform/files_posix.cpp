@@ -11,7 +11,11 @@
 namespace multipath {
 
 const std::string_view folder_separators = "/";
+#ifdef __APPLE__
+const bool names_ignore_case = true; // as most of its disks do
+#else
 const bool names_ignore_case = false;
+#endif
 
 int create_file(const std::string& path, bool is_private)
 {

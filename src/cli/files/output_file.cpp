@@ -1,6 +1,7 @@
 #include "cli/files/output_file.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/platform/files.h"
 #include "base/text_format.h"
 #include "scene/text/text_words.h"
@@ -11,7 +12,6 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <random>
 #include <string_view>
 #include <system_error>
@@ -127,10 +127,10 @@ std::string follow_links(const std::string& name)
     std::string path = name;
     for (int links = 0; links < 40; ++links) {
         std::error_code error;
-        const fs::path target = fs::read_symlink(path, error);
+        const fs::path target = fs::read_symlink(path_of(path), error);
         if (error)
             return path;
-        path = target.is_absolute() ? target.string() : folder_of(path) + target.string();
+        path = (target.is_absolute() ? "" : folder_of(path)) + target.u8string();
     }
     fail(name, ELOOP);
 }
@@ -140,9 +140,9 @@ std::string follow_links(const std::string& name)
 void make_folder(const std::string& path)
 {
     std::error_code error;
-    fs::create_directory(path, error);
+    fs::create_directory(path_of(path), error);
     std::error_code unknown;
-    if (fs::is_directory(path, unknown))
+    if (fs::is_directory(path_of(path), unknown))
         return;
     throw OutputError("cannot make the folder " + path + ": " + (error ? error.message() : "it is not a folder"));
 }
@@ -154,10 +154,12 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
         return;
     }
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
+    const fs::file_status status = fs::status(path_of(path), error);
     if (status.type() == fs::file_type::none)
         fail(name_, error.value());
-    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    const bool is_special = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+    // On Windows, the full path of NUL.csv is that of a device, as which it is also missing.
+    if (is_special || fs::absolute(path_of(path), error).u8string().compare(0, 4, "\\\\.\\") == 0) {
         open(open_device(path));
         return;
     }
@@ -174,7 +176,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? standard_o
     temporary_ = path_of_part;
     unfinished_ = unfinished(temporary_, target_);
     if (fs::exists(status))
-        fs::permissions(temporary_, status.permissions(), error);
+        fs::permissions(path_of(temporary_), status.permissions(), error);
     if (error && fs::exists(status)) {
         discard();
         fail(name_, error.value());
@@ -267,11 +269,11 @@ void refuse_input(const std::string& path, const std::vector<std::string>& input
 bool same_file(const std::string& a, const std::string& b)
 {
     std::error_code error;
-    if (fs::exists(a, error) && fs::exists(b, error))
-        return fs::equivalent(a, b, error);
+    if (fs::exists(path_of(a), error) && fs::exists(path_of(b), error))
+        return fs::equivalent(path_of(a), path_of(b), error);
     // Files that do not exist yet: the same name in the same folder.
     const auto place = [&](const std::string& path) {
-        return fs::weakly_canonical(fs::absolute(follow_links(path), error), error).string();
+        return fs::weakly_canonical(fs::absolute(path_of(follow_links(path)), error), error).u8string();
     };
     return names_ignore_case ? equal_but_for_case(place(a), place(b)) : place(a) == place(b);
 }

@@ -1,6 +1,7 @@
 #include "commands/options/memory_limit.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "cli/options/number_text.h"
@@ -10,7 +11,6 @@
 #include "radiosity/run/solve_options.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <system_error>
 
@@ -52,7 +52,7 @@ Option memory_option()
 void require_memory_for_file(const CommandLine& line, const std::string& path)
 {
     std::error_code error;
-    const auto size = std::filesystem::file_size(path, error); // fails for pipes
+    const auto size = std::filesystem::file_size(path_of(path), error); // fails for pipes
     if (!error)
         require(line, static_cast<double>(size), path + ": reading it needs", "a smaller file");
 }

@@ -1,6 +1,7 @@
 #include "commands/options/picture_options.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 #include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 namespace multipath {
@@ -69,7 +69,7 @@ std::vector<View> read_views(const CommandLine& line)
     std::vector<View> views;
     for (const std::string& path : line.all("camera")) {
         const Camera camera = read_camera_file(path);
-        const std::string name = std::filesystem::path(path).stem().string();
+        const std::string name = path_of(path).stem().u8string();
         for (const View& other : views)
             if (other.name == name)
                 throw UsageError("--camera: two views are called '" + name + "'; expected files of different names");

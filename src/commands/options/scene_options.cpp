@@ -1,6 +1,7 @@
 #include "commands/options/scene_options.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/platform/files.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -156,12 +156,12 @@ std::string scene_path(const CommandLine& line)
 {
     std::string name = line.operands()[0];
     std::error_code error;
-    if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(name, error))
+    if (name.empty() || name.find_first_of(folder_separators) != std::string::npos || fs::exists(path_of(name), error))
         return name;
     const std::string folder = bundled_scenes_folder();
     if (!folder.empty())
         for (const std::string& file : {folder + "/" + name, folder + "/" + name + ".obj"})
-            if (fs::is_regular_file(file, error) && fs::path(file).extension() == ".obj")
+            if (fs::is_regular_file(path_of(file), error) && path_of(file).extension() == ".obj")
                 return file;
     return name;
 }
@@ -243,13 +243,13 @@ int thread_count(const CommandLine& line)
 std::string bundled_scenes_folder()
 {
     std::error_code error;
-    const fs::path program = program_path();
+    const fs::path program = path_of(program_path());
     if (!program.has_parent_path())
         return "";
     const fs::path folder = program.parent_path();
     for (const fs::path& scenes : {folder.parent_path() / "share" / "multipath" / "scenes", folder / "scenes"})
         if (fs::is_directory(scenes, error))
-            return scenes.string();
+            return scenes.u8string();
     return "";
 }
 

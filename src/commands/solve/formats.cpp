@@ -2,6 +2,7 @@
 
 #include "base/elementary.h"
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 #include "cli/files/standard_streams.h"
 #include "cli/provenance.h"
@@ -26,7 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -309,7 +309,7 @@ OptionGroup solution_output_group()
 
 std::vector<std::string> default_outputs(const std::string& path)
 {
-    const std::string name = std::filesystem::path(path).stem().string();
+    const std::string name = path_of(path).stem().u8string();
     return {name + ".ppm", name + ".png"};
 }
 

@@ -7,6 +7,7 @@
 #include "commands/solve/saved_run.h"
 
 #include "base/errors.h"
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/output_file.h"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -88,7 +88,7 @@ StateOptions read_state_options(const CommandLine& line)
         throw UsageError(std::string(line.has("resume") ? "--resume" : "--save-every") +
                          " has no effect without --state; expected --state FILE with it");
     std::error_code error;
-    const bool left = !options.path.empty() && std::filesystem::exists(options.path, error);
+    const bool left = !options.path.empty() && std::filesystem::exists(path_of(options.path), error);
     if (left && !line.has("resume"))
         throw InputError(options.path +
                          " exists; expected --resume with it to continue from there, or the name of a new file");

@@ -4,6 +4,7 @@
 
 #include "scene/obj/mtl_reader.h"
 
+#include "base/file_bytes.h"
 #include "base/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -32,14 +32,14 @@ constexpr double smallest_emittance = 1e-30;
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name)
 {
     std::error_code error;
-    if (fs::exists(folder / name, error))
-        return folder / name;
+    if (fs::exists(folder / path_of(name), error))
+        return folder / path_of(name);
     std::optional<fs::path> found;
     for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
          entry.increment(error)) {
-        const std::string entry_name = entry->path().filename().string();
-        if (equal_but_for_case(entry_name, name) && (!found || entry_name < found->filename().string()))
-            found = folder / entry_name;
+        const std::string entry_name = entry->path().filename().u8string();
+        if (equal_but_for_case(entry_name, name) && (!found || entry_name < found->filename().u8string()))
+            found = folder / entry->path().filename();
     }
     return found;
 }
@@ -48,25 +48,25 @@ std::optional<fs::path> find_entry(const fs::path& folder, const std::string& na
 std::optional<std::string> find_file(const fs::path& folder, std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
-    const fs::path relative(name);
+    const fs::path relative = path_of(name);
     fs::path found = relative.is_absolute() ? relative.root_path() : folder;
     for (const fs::path& part : relative.relative_path()) {
         if (part == "." || part.empty())
             continue;
-        const std::optional<fs::path> entry = find_entry(found, part.string());
+        const std::optional<fs::path> entry = find_entry(found, part.u8string());
         if (!entry)
             return std::nullopt;
         found = *entry;
     }
     std::error_code error;
-    return fs::is_regular_file(found, error) ? std::optional<std::string>(found.generic_string()) : std::nullopt;
+    return fs::is_regular_file(found, error) ? std::optional<std::string>(found.generic_u8string()) : std::nullopt;
 }
 
 /// Finds a texture by its path relative to the MTL file or, since that path may be of another machine, by its file name
 /// alone, beside the MTL file or in a folder with a usual name.
 std::optional<std::string> find_texture(const std::string& mtl_path, const std::string& name)
 {
-    const fs::path folder = fs::path(mtl_path).parent_path();
+    const fs::path folder = path_of(mtl_path).parent_path();
     const std::string last = name.substr(name.find_last_of("/\\") + 1);
     if (std::optional<std::string> file = find_file(folder, name))
         return file;
@@ -235,11 +235,11 @@ private:
         const auto [entry, is_new] = textures_.try_emplace(name);
         if (is_new) {
             entry->second = find_texture(path_, name).value_or("");
-            const fs::path folder = fs::path(path_).parent_path();
+            const fs::path folder = path_of(path_).parent_path();
             std::string path = name;
             std::replace(path.begin(), path.end(), '\\', '/');
-            for (const fs::path& place : {folder / path, folder / fs::path(path).filename()})
-                library_.texture_files.push_back(place.string());
+            for (const fs::path& place : {folder / path_of(path), folder / path_of(path).filename()})
+                library_.texture_files.push_back(place.u8string());
             if (!entry->second.empty())
                 library_.texture_files.push_back(entry->second);
         }
@@ -306,7 +306,7 @@ std::vector<std::string> mtl_names(std::string_view text, TextLocation place)
 
 MtlFiles find_mtl_files(std::string_view names, TextLocation place)
 {
-    const fs::path folder = fs::path(std::string(place.path)).parent_path();
+    const fs::path folder = path_of(std::string(place.path)).parent_path();
     MtlFiles files;
     for (const std::string& name : mtl_names(names, place)) {
         const std::optional<std::string> file = find_file(folder, name);

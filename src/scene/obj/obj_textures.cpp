@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -31,9 +30,9 @@ const TextureFiles::Loaded& TextureFiles::load(const TextureMap& map)
         if (map.found.empty())
             throw ImageError("not found");
         std::error_code error;
-        if (std::filesystem::file_size(map.found, error) > most_bytes && !error)
+        if (std::filesystem::file_size(path_of(map.found), error) > most_bytes && !error)
             throw ImageError("is larger than 256 MB");
-        loaded.texture = std::make_shared<const Texture>(std::filesystem::path(map.found).filename().string(),
+        loaded.texture = std::make_shared<const Texture>(path_of(map.found).filename().u8string(),
                                                          bytes_of_file(map.found), map.repeats);
     } catch (const ImageError& error) {
         loaded.problem = error.what();
