@@ -1,28 +1,29 @@
-// Section 4.1 of the paper (Castro, Martinez, Sbert 1998) in short, and where it is done here:
+// Section 4.1 of the paper (Castro, Martinez, Sbert 1998) in the order in which it is done here, and where:
 //
-//   for each step                                              shoot_passes()
-//     for each patch i with UNSHOT[i] > Threshold              plan_shots() in shots.cpp
-//       numberOfLines = AREA[i] (UNSHOT[i] - Threshold) / PowerByLine
-//       for each line                                          shoot() in shot_rays.cpp
-//         cast it from i; it carries PowerByLine
-//         at the patch that it hits: RADIOSITY and UNSHOT += reflected power / AREA
-//       UNSHOT[i] = Threshold                                  spend() in shots.cpp
+//   PowerByLine                                           power_by_next_line()
+//   for each step, until no patch is above Threshold      shoot_passes(): no shots are the end
+//     for each patch i with UNSHOT[i] > Threshold         share_above() and plan_shots() in shots.cpp
+//       numberOfLines = AREA[i] (UNSHOT[i] - Threshold) / PowerByLine        rays_due there
+//       UNSHOT[i] -= what i emits                         spend() in shots.cpp
+//     for each line: hit = first patch that it meets      shoot() in shot_rays.cpp
+//       RADIOSITY[hit] and UNSHOT[hit] += what it gets    deposit() there, for all rays of a patch at a time
 //
-// UNSHOT AREA is PowerState::unshot, and RADIOSITY follows from PowerState::incident by radiosity() in power_state.h.
-// The differences:
+// PowerState::unshot is AREA[i] UNSHOT[i], and radiosity() in power_state.h gives RADIOSITY from what has arrived. The
+// differences to the paper:
 //
-// 1. The paper's user sets PowerByLine. Here N_l, the number of rays, is given, and PowerByLine is the power of all
-//    passes over N_l. That power is not known beforehand: a pilot with a few rays, which do not count among the N_l,
-//    estimates it. Each pass divides what is still to be shot by the rays that are left, so that all rays carry about
-//    the same power, and an error of the pilot does not add up.
+// 1. The paper's user sets PowerByLine (here with --power-per-line). Otherwise N_l, the number of rays, is given, and
+//    PowerByLine is the power of all passes over N_l. That power is not known beforehand: a pilot with a few rays,
+//    which do not count among the N_l, estimates it. Each pass divides what is still to be shot by the rays that are
+//    left, so that all rays carry about the same power, and an error of the pilot does not add up.
 // 2. All shots of a pass are planned before its first ray, and their power is subtracted then: what a patch receives in
 //    a pass it shoots in the next one, as the text of the paper says. The pseudocode changes the patches while it goes
 //    over them.
 // 3. The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
 //    that is worth less than a ray gets one at random (plan_shots), but the power of a pass is taken from all its
-//    patches (spend); one factor for each colour makes up for the rounding.
-// 4. The passes also end when the N_l rays are used up. What patches still have above the threshold is sent by the
-//    global pass.
+//    patches (spend); one factor for each colour, at most 2, makes up for the rounding.
+// 4. The passes also end when no patch gets a ray by rounding, and when the N_l rays are used up; if the user sets
+//    PowerByLine, with the lines of the run: the last pass then has stronger rays. What patches still have above the
+//    threshold is sent by the global pass.
 // 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
@@ -52,7 +53,8 @@ double relative_power_to_come(const std::vector<ShotPass>& pilot, std::size_t k)
     return k < pilot.size() ? power / pilot[k].power : 1.0;
 }
 
-/// [W] PowerByLine of the next pass: what is still to be shot over the rays that are left; 0 if none are.
+/// [W] PowerByLine of the next pass: what is still to be shot over the rays that are left, at least what the user has
+/// set; 0 if no rays are left.
 double power_by_next_line(const ExtendedShotOptions& options, const std::vector<ShotPass>& pilot,
                           const std::vector<ShotPass>& done, double excess)
 {

@@ -43,9 +43,9 @@ inline void ignore_pass(std::uint64_t, const std::vector<Shot>&, const PowerStat
 
 /// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
 /// threshold shoots the excess. Ends when no patch exceeds it or none gets a ray by rounding, when the lines are used
-/// up, after most_steps passes, or when the run is stopped. The rays take the items of the
-/// sequence from first_item on. Returns the passes. The caller must save `state`, as it is between two passes, in the
-/// checkpoint; this function saves the rest.
+/// up, after most_steps passes, or when the run is stopped. The rays take the items of the sequence from first_item on.
+/// Returns the passes. The caller must save `state`, as it is between two passes, in the checkpoint; this function
+/// saves the rest.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe = ignore_pass);

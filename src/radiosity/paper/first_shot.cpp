@@ -13,7 +13,8 @@ namespace multipath {
 
 namespace {
 
-/// For the figures of (3), which they leave uncertain by 2 %. The error as a function of the ratio has a wide minimum.
+/// For the figures of (3). f and with it the ratio come out a little low (docs/equations.md), but the error as a
+/// function of the ratio has a wide minimum.
 constexpr std::uint64_t rays_for_ratio = 1u << 13;
 
 FirstShot first_shot_of(const SolveOptions& options)

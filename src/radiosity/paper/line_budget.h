@@ -25,8 +25,7 @@ std::optional<double> optimal_ratio(const BudgetFigures& figures);
 BudgetFigures extended_figures(BudgetFigures figures);
 
 /// n_int = 2 A_T / A_box, with A_T the total area of the surfaces, each counted once, and A_box that of the bounding
-/// box
-/// ((G2) in docs/equations.md). N_g counts the lines that meet this box, too (N1).
+/// box ((G2) in docs/equations.md). N_g counts the lines that meet this box, too (N1).
 double intersections_per_line(const Scene& scene);
 
 /// [W/m^2] Radiosity that every patch keeps unshot in the first shot and the extended first shot: the mean reflected

@@ -28,8 +28,8 @@ struct WalkDensity
     bool bidirectional = true;        ///< every crossing sends and receives (M2); otherwise half send, half receive
 };
 
-/// The densities of a global pass; the arriving share is estimated with 2^10 lines of the
-/// sequence from item `first_item` on.
+/// The densities of a global pass; the arriving share is estimated with 2^10 lines of the sequence from item
+/// `first_item` on.
 WalkDensity walk_density(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
                          std::uint64_t first_item, bool bidirectional);
 

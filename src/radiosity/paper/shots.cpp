@@ -46,7 +46,7 @@ double sent_share(double excess, double sent)
 }
 
 /// Start of the systematic rounding to whole rays (whole_part), in [0, 1). It is random: with a fixed one, the same
-/// sources would never get a ray.
+/// sources would never get a ray. Where each is worth a ray it is 0.5 in the first pass, for every seed.
 double rounding_offset(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
                        std::uint64_t seed, std::uint64_t pass)
 {

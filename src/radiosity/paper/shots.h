@@ -14,7 +14,7 @@ struct Shot
 {
     std::uint32_t patch;
     std::uint64_t rays;
-    Rgb power_per_ray; ///< [W] `PowerByLine` of the paper (Castro, Martinez, Sbert 1998), as a colour
+    Rgb power_per_ray; ///< [W] near power_by_line (plan_shots), as a colour
 };
 
 /// [W] Unshot power in excess of the threshold [W/m^2], summed over the patches, mean of the channels.
@@ -22,12 +22,12 @@ double power_above(const Scene& scene, const PowerState& state, double threshold
 
 /// The shots of pass number `pass`, in the order of the patches: every patch with unshot radiosity above the threshold
 /// [W/m^2] shoots the excess (S1) (S2). `power_by_line` [W]: wanted power of one ray, mean of the channels, the
-/// `PowerByLine` of the paper; with 0 there are no shots. A patch whose excess is worth n rays gets n rays on average
-/// over all seeds: n is rounded by systematic sampling, from an offset that depends on seed and pass. If n >= 1, the
-/// rays carry the excess of the patch; if n < 1, a ray carries power_by_line. One factor per channel then multiplies
-/// the power of all rays, so that together they carry the whole excess, which makes a bias that falls with the number
-/// of rays. It is at most 2, so very few rays may carry less. If every patch is worth a ray, those of pass 0 are the
-/// same for every seed.
+/// `PowerByLine` of the paper (Castro, Martinez, Sbert 1998); with 0 there are no shots. A patch whose excess is worth
+/// n rays gets n rays on average over all seeds: n is rounded by systematic sampling, from an offset that depends on
+/// seed and pass. If n >= 1, the rays carry the excess of the patch; if n < 1, a ray carries power_by_line. One factor
+/// per channel then multiplies the power of all rays, so that together they carry the whole excess, which makes a bias
+/// that falls with the number of rays. It is at most 2, so very few rays may carry less. If every patch is worth a ray,
+/// those of pass 0 are the same for every seed.
 std::vector<Shot> plan_shots(const Scene& scene, const PowerState& state, double threshold, double power_by_line,
                              std::uint64_t seed, std::uint64_t pass);
 
