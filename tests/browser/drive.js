@@ -78,8 +78,15 @@ class Firefox extends Page {
     this.folder = fs.mkdtempSync(path.join(os.tmpdir(), 'firefox-'));
     const port = 20000 + process.pid % 20000;
     fs.writeFileSync(path.join(this.folder, 'user.js'), `user_pref("marionette.port", ${port});\n`);
-    this.browser = spawn(process.env.FIREFOX || 'firefox-esr', ['--headless', '--marionette', '--profile', this.folder,
-      '--width', String(width), '--height', String(height)], { stdio: 'ignore', env: { ...process.env, HOME: this.folder } });
+    // Without a display Firefox has no WebGL. Xvfb is one in memory.
+    this.display = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1920x1200x24'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+    const number = await new Promise((fulfil, reject) => {
+      this.display.on('error', () => reject(new Error('Firefox needs Xvfb')));
+      this.display.stdio[3].on('data', text => fulfil(String(text).trim()));
+    });
+    this.browser = spawn(process.env.FIREFOX || 'firefox-esr', ['--marionette', '--profile', this.folder,
+      '--width', String(width), '--height', String(height)],
+      { stdio: 'ignore', env: { ...process.env, HOME: this.folder, DISPLAY: ':' + number } });
     for (let tries = 0; !this.socket && tries < 300; ++tries) {
       await sleep(100);
       this.socket = await new Promise(fulfil => {
@@ -127,6 +134,7 @@ class Firefox extends Page {
   }
   close() {
     this.browser.kill();
+    this.display.kill();
     fs.rmSync(this.folder, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
   }
 }

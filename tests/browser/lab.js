@@ -45,7 +45,7 @@ async function errors_compared(page) {
 // Every lesson shows what it says, driven by its own buttons.
 async function lessons(page) {
   for (const { key, right } of await page.run('laboratory.lessons.map(({ key, right }) => ({ key, right }))')) {
-    await page.run(`${find('lesson-choice')}.value = '${key}', ${find('lesson-choice')}.dispatchEvent(new Event('change'))`);
+    await page.run(`(${find('lesson-choice')}.value = '${key}', ${find('lesson-choice')}.dispatchEvent(new Event('change')))`);
     await page.until(done);
     await page.run(`${find('lesson-answers')}.children[${right}].click()`);
     const told = await page.until(`${find('lesson-finding')}.textContent`, 600);

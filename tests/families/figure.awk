@@ -1,23 +1,23 @@
 # Draws a family from rooms.csv as SVG: error times processor time of every method over the size, as a multiple of the
 # least one in the same room.
-#   awk -F, -v family=furniture -v few=1 -f figure.awk rooms.csv >furniture.svg
-# few=1: the rooms with the fewer of the two numbers of patches.
+#   awk -F, -v family=furniture -v patches=4000 -v lines=64 -f figure.awk rooms.csv >furniture.svg
+# `patches`: of the rooms whose number of patches is nearest; `lines`: for each patch.
 
 function log10(x) { return log(x) / log(10) }
 function across(k) { return 70 + 430 * (sizes > 1 ? k / (sizes - 1) : 0.5) }
 function down(times) { return 330 - 290 * log10(times) / top }
-NR > 1 && $1 == family {
-    if (!(($2, $3) in seen)) { seen[$2, $3] = 1; if (!($2 in column)) { column[$2] = sizes; size[sizes++] = $2 } }
-    if (!($2 in low) || $3 < low[$2]) low[$2] = $3
-    cost[$5, $2, $3] = $6 * $8
-    if (!($5 in number)) { number[$5] = methods; method[methods++] = $5 }
-    if ($3 > high[$2]) high[$2] = $3
+function away(n) { return n > patches ? n - patches : patches - n }
+NR > 1 && $1 == family && $5 == lines {
+    if (!($2 in nearest)) { size[sizes++] = $2; nearest[$2] = $3 }
+    if (away($3) < away(nearest[$2])) nearest[$2] = $3
+    cost[$6, $2, $3] = $7 * $9
+    if (!($6 in number)) { number[$6] = methods; method[methods++] = $6 }
 }
 END {
     split("#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #000000 #888888", colour, " ")
     top = 1
     for (k = 0; k < sizes; ++k) {
-        s = size[k]; n = few ? low[s] : high[s]
+        s = size[k]; n = nearest[s]
         for (m = 0; m < methods; ++m) if (!(k in best) || cost[method[m], s, n] < best[k]) best[k] = cost[method[m], s, n]
         for (m = 0; m < methods; ++m) {
             times[m, k] = cost[method[m], s, n] / best[k]

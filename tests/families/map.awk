@@ -2,11 +2,11 @@
 # of the paper, and error times processor time of these as multiples of the least.
 #   awk -F, -f map.awk rooms.csv
 
-NR == 1 { print "| room | patches | crossings of a line | best | second | best of the paper's |"; print "| --- | --- | --- | --- | --- | --- |"; next }
+NR == 1 { print "| room | crossings of a line | patches | lines for each | best | second | best of the paper's |"; print "| --- | --- | --- | --- | --- | --- | --- |"; next }
 {
-    room = $1 " " $2 "|" $3 "|" $4
+    room = $1 " " $2 "|" $4 "|" $3 "|" $5
     if (room != last) { show(); last = room; count = 0 }
-    name[count] = $5; cost[count++] = $6 * $8
+    name[count] = $6; cost[count++] = $7 * $9
 }
 END { show() }
 function show(    k, first, second, paper) {
@@ -18,6 +18,6 @@ function show(    k, first, second, paper) {
         if (name[k] ~ /^(global|first-shot|extended|local)$/ && (paper < 0 || cost[k] < cost[paper])) paper = k
     }
     split(last, part, "|")
-    printf "| %s | %d | %.1f | %s | %s, %.3g | %s, %.3g |\n", part[1], part[2], part[3], name[first], name[second],
+    printf "| %s | %.1f | %d | %d | %s | %s, %.3g | %s, %.3g |\n", part[1], part[2], part[3], part[4], name[first], name[second],
         cost[second] / cost[first], name[paper], cost[paper] / cost[first]
 }
