@@ -238,7 +238,7 @@ void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t fi
         for (const std::uint32_t surface : unfiltered_)
             take_surface(rays[i], own_plane, surface, work.nearest[i]);
         if (work.batch.passes(i))
-            work.searched.push_back({i, static_cast<double>(own_plane)});
+            work.searched.push_back({i, query.from[first + i], static_cast<double>(own_plane)});
     }
     const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
     const std::size_t together = std::min<std::size_t>(work.searched.size(), FirstHitSearch::at_once);
