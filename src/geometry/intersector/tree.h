@@ -57,8 +57,7 @@ void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
     const std::array<float, 3> high = single(box.high);
     std::vector<std::uint32_t> pending; // children as in WideNode::child, at first the root
     pending.reserve(most_pending_ + 1);
-    if (!empty())
-        pending.push_back(0);
+    pending.resize(empty() ? 0 : 1);
     while (!pending.empty()) {
         const std::uint32_t child = pending.back();
         pending.pop_back();

@@ -297,8 +297,8 @@ struct RayCandidate
 };
 
 /// Rounds of the search for first hits; `any`: FirstHitSearch::any. In a round each active ray visits one node or leaf,
-/// or a node and then a leaf below it, unless the leaf is to be fetched from memory first. A ray without a child to go on with takes the top of its stack, and one that is
-/// done makes room for the next one.
+/// or a node and then a leaf below it, unless the leaf is to be fetched from memory first. A ray without a child to go
+/// on with takes the top of its stack, and one that is done makes room for the next one.
 template <bool any>
 KERNEL_CODE void search_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
 {
@@ -347,14 +347,12 @@ KERNEL_CODE void search_first(const TreeView& tree, const SurfaceTable& table, c
             const unsigned met = boxes_met(node, ray->line, entry);
             // The branches of sorting take longer than visits to wrong children unless these wait for memory.
             if (any && !tree.is_large) {
-                std::uint64_t* const top = ray->stack + ray->pending;
-                const unsigned others = met & (met - 1);
-                ray->pending += static_cast<std::uint32_t>(
-                    add_lanes(others, top, [&](unsigned lane) { return std::uint64_t{node.child[lane]}; }));
+                const auto child = [&](unsigned lane) { return std::uint64_t{node.child[lane]}; };
+                const std::size_t others = add_lanes(met & (met - 1), ray->stack + ray->pending, child);
+                ray->pending += static_cast<std::uint32_t>(others);
                 visit(ray, node.child[first_lane(met)], some(met));
             } else {
-                const std::uint64_t nearest = take_nearest(met, node, entry, tree.is_large, *ray);
-                visit(ray, static_cast<std::uint32_t>(nearest), some(met));
+                visit(ray, static_cast<std::uint32_t>(take_nearest(met, node, entry, tree.is_large, *ray)), some(met));
             }
             idle[idle_count] = ray;
             idle_count += 1 - some(met);
@@ -410,10 +408,7 @@ KERNEL_CODE void search_first(const TreeView& tree, const SurfaceTable& table, c
 
 KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
 {
-    if (search.any)
-        search_first<true>(tree, table, search);
-    else
-        search_first<false>(tree, table, search);
+    return search.any ? search_first<true>(tree, table, search) : search_first<false>(tree, table, search);
 }
 
 } // namespace
