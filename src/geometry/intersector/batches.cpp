@@ -151,6 +151,7 @@ void Intersector::Core::find_first(const RayQuery& query) const
     query.found.resize(query.count);
     work.undecided.clear();
     work.ties.clear();
+    find_covered(query, work.covered);
     for (std::size_t first = 0; first < query.count;) {
         const std::size_t count = place_lines(query.rays + first, query.count - first, work.batch);
         const bool is_fit = work.batch.course[0] != LineCourse::unfit;
@@ -166,6 +167,8 @@ void Intersector::Core::find_first(const RayQuery& query) const
     find_first_of_undecided(query, work);
     order_ties(query, work);
     find_first_of_covered(query, work);
+    find_first_of_undecided(query, work);
+    order_ties(query, work);
 }
 
 /// First hits in a small scene; lists the rays that the bounds leave undecided.
@@ -213,8 +216,8 @@ void Intersector::Core::find_first_of_undecided(const RayQuery& query, FirstHitB
     }
 }
 
-/// First hits by a search in the hierarchy. With targets, only rays that meet their targets are searched, and only up
-/// to them.
+/// First hits by a search in the hierarchy, but not of rays whose start is covered. With targets, only rays that meet
+/// their targets are searched, and only up to them.
 void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t first, std::size_t count,
                                            FirstHitBuffers& work) const
 {
@@ -229,7 +232,12 @@ void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t fi
         kernel_->decide_nearest(table_, rays, targets, count, query.found.hits_.data() + first,
                                 query.found.is_hit_.data() + first);
     }
+    auto covered = std::lower_bound(work.covered.begin(), work.covered.end(), first);
     for (std::uint32_t i = 0; i < count; ++i) {
+        if (covered != work.covered.end() && *covered == first + i) {
+            ++covered;
+            continue;
+        }
         const std::uint32_t own_plane = plane_of(query.from[first + i]);
         if (targets != nullptr && (plane_[targets[i]] == own_plane || !query.found.is_hit(first + i)))
             continue;
@@ -238,7 +246,7 @@ void Intersector::Core::find_first_in_tree(const RayQuery& query, std::size_t fi
         for (const std::uint32_t surface : unfiltered_)
             take_surface(rays[i], own_plane, surface, work.nearest[i]);
         if (work.batch.passes(i))
-            work.searched.push_back({i, static_cast<double>(own_plane)});
+            work.searched.push_back({i, query.from[first + i], static_cast<double>(own_plane)});
     }
     const std::uint32_t stack_size = tree_.most_pending() + 2; // writes above the top are unconditional
     const std::size_t together = std::min<std::size_t>(work.searched.size(), FirstHitSearch::at_once);
@@ -309,23 +317,32 @@ void Intersector::Core::order_ties(const RayQuery& query, FirstHitBuffers& work)
     });
 }
 
-/// Overwrites the results of rays whose start is covered by another surface.
-void Intersector::Core::find_first_of_covered(const RayQuery& query, FirstHitBuffers& work) const
+/// Lists the rays whose start is covered by another surface.
+void Intersector::Core::find_covered(const RayQuery& query, std::vector<std::size_t>& covered) const
 {
-    work.covered.clear();
-    work.lines.clear();
+    covered.clear();
     for (std::size_t i = 0; i < query.count; ++i)
         if (query.from[i] != no_surface && neighbours_.may_have_some(query.from[i]) &&
-            is_covered(query.from[i], query.rays[i].origin)) {
-            work.covered.push_back(i);
-            work.lines.push_back(query.rays[i]);
-        }
+            is_covered(query.from[i], query.rays[i].origin))
+            covered.push_back(i);
+}
+
+/// Overwrites the results of rays whose start is covered by another surface; lists those that stay undecided.
+void Intersector::Core::find_first_of_covered(const RayQuery& query, FirstHitBuffers& work) const
+{
+    work.undecided.clear();
+    work.ties.clear();
+    work.lines.clear();
+    for (const std::size_t ray : work.covered)
+        work.lines.push_back(query.rays[ray]);
     for_each_whole_line(work.lines, [&](std::size_t k, HitLists::List along) {
         const std::size_t i = work.covered[k];
         const auto* const own =
             std::find_if(along.begin(), along.end(), [&](const Hit& hit) { return hit.surface == query.from[i]; });
-        if (own == along.end()) // by rounding the start lies outside of its surface
+        if (own == along.end()) { // by rounding the start lies outside of its surface
+            work.undecided.push_back(i);
             return;
+        }
         query.found.is_hit_[i] = own + 1 != along.end();
         if (query.found.is_hit(i)) {
             query.found.hits_[i] = own[1];

@@ -139,6 +139,7 @@ struct Intersector::Core
     void find_first_in_tree(const RayQuery& query, std::size_t first, std::size_t count, FirstHitBuffers& work) const;
     void put(const RayQuery& query, std::size_t ray, const NearestHit& nearest, std::vector<Tie>& ties) const;
     void order_ties(const RayQuery& query, FirstHitBuffers& work) const;
+    void find_covered(const RayQuery& query, std::vector<std::size_t>& covered) const;
     void find_first_of_covered(const RayQuery& query, FirstHitBuffers& work) const;
     template <class Visit>
     void for_each_whole_line(const std::vector<Line>& rays, const Visit& visit) const;

@@ -89,6 +89,7 @@ struct NearestHit
 struct SearchedRay
 {
     std::uint32_t number;  ///< index of the ray in the batch
+    std::uint32_t from;    ///< index of the surface on which the ray starts; it lies in the excluded plane
     double excluded_plane; ///< SurfaceRow::plane of surfaces to ignore
 };
 

@@ -187,15 +187,20 @@ struct Builder
         return {box, first, last, level};
     }
 
-    /// The children of a node: the largest part, by surface area, is split in two while lanes are left.
+    /// The children of a node: while lanes are left, the part whose split is worth most is split in two. That is the
+    /// part with the largest surface area, but one of few leaves comes before larger ones, since it takes only a few
+    /// lanes until its leaves are children themselves and no node has to be visited for them.
     std::vector<Part> children_of(const Part& node)
     {
-        const auto split_area = [](const Part& part) { return part.is_leaf() ? -1.0f : part.box.area(); };
+        const auto worth = [](const Part& part) {
+            constexpr std::uint32_t most_lanes = 6; // measured
+            const std::uint32_t lanes_taken = (part.last - part.first - 1) / WideNode::lanes;
+            return part.is_leaf() ? -1.0f : part.box.area() / static_cast<float>(std::min(lanes_taken, most_lanes));
+        };
         std::vector<Part> parts = {node};
         while (parts.size() < WideNode::lanes) {
-            const auto largest = std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
-                return split_area(a) < split_area(b);
-            });
+            const auto largest = std::max_element(parts.begin(), parts.end(),
+                                                  [&](const Part& a, const Part& b) { return worth(a) < worth(b); });
             if (largest->is_leaf())
                 break;
             const auto [box, first, last, level] = *largest;

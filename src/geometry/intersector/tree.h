@@ -55,7 +55,9 @@ void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
     };
     const std::array<float, 3> low = single(box.low);
     const std::array<float, 3> high = single(box.high);
-    std::vector<std::uint32_t> pending(empty() ? 0 : 1, 0); // the root, then children as in WideNode::child
+    std::vector<std::uint32_t> pending; // children as in WideNode::child, at first the root
+    pending.reserve(most_pending_ + 1);
+    pending.resize(empty() ? 0 : 1);
     while (!pending.empty()) {
         const std::uint32_t child = pending.back();
         pending.pop_back();
@@ -67,14 +69,17 @@ void WideTree::for_each_near(const Bounds& box, const Visit& visit) const
             continue;
         }
         const WideNode& node = nodes_[child];
-        for (unsigned lane = 0; lane < WideNode::lanes; ++lane) {
-            bool meets = true;
-            for (unsigned axis = 0; axis < 3; ++axis)
-                meets = every(meets, node.plane[WideNode::low(axis) + lane] <= high[axis],
-                              low[axis] <= node.plane[WideNode::high(axis) + lane]);
-            if (meets)
-                pending.push_back(node.child[lane]);
+        std::array<std::uint32_t, WideNode::lanes> meets;
+        for (unsigned lane = 0; lane < WideNode::lanes; ++lane) { // all first: such a loop is vectorised
+            meets[lane] = 1;
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                meets[lane] &= node.plane[WideNode::low(axis) + lane] <= high[axis] ? 1u : 0u;
+                meets[lane] &= low[axis] <= node.plane[WideNode::high(axis) + lane] ? 1u : 0u;
+            }
         }
+        for (unsigned lane = 0; lane < WideNode::lanes; ++lane)
+            if (meets[lane] != 0)
+                pending.push_back(node.child[lane]);
     }
 }
 

@@ -89,6 +89,11 @@ KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
 {
     return {(static_cast<unsigned>(so_far.x) & static_cast<unsigned>(a.x != b.x)) != 0};
 }
+/// so_far && number != other, for the numbers at `numbers`, an address as in load().
+KERNEL_CODE LaneMask different(LaneMask so_far, const std::uint32_t* numbers, std::uint32_t other)
+{
+    return {(static_cast<unsigned>(so_far.x) & static_cast<unsigned>(*numbers != other)) != 0};
+}
 /// mask ? yes : no
 KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
 {

@@ -137,6 +137,11 @@ KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
 {
     return {_mm512_mask_cmp_ps_mask(so_far.x, a.x, b.x, _CMP_NEQ_OQ)};
 }
+KERNEL_CODE LaneMask different(LaneMask so_far, const std::uint32_t* numbers, std::uint32_t other)
+{
+    return {_mm512_mask_cmpneq_epi32_mask(so_far.x, _mm512_load_si512(numbers),
+                                          _mm512_set1_epi32(static_cast<int>(other)))};
+}
 KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
 {
     return {_mm512_mask_mov_ps(no.x, mask.x, yes.x)};
@@ -170,6 +175,12 @@ KERNEL_CODE LaneMask not_above(LaneMask so_far, Lanes a, Lanes b)
 KERNEL_CODE LaneMask different(LaneMask so_far, Lanes a, Lanes b)
 {
     return {so_far.x & (a.x != b.x)};
+}
+KERNEL_CODE LaneMask different(LaneMask so_far, const std::uint32_t* numbers, std::uint32_t other)
+{
+    IntVector all;
+    std::memcpy(&all, __builtin_assume_aligned(numbers, LANE_BYTES), LANE_BYTES);
+    return {so_far.x & (all != static_cast<std::int32_t>(other))};
 }
 KERNEL_CODE Lanes where(LaneMask mask, Lanes yes, Lanes no)
 {

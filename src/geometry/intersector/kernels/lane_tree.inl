@@ -100,9 +100,9 @@ struct LeafTest
     unsigned certain = 0;
 };
 
-/// The tests of a block. If `with_certain` is false, `certain` stays 0.
-template <bool with_certain>
-KERNEL_CODE LeafTest test_leaf(const SurfaceBlock& leaf, const TreeLine& line)
+/// The tests of a block, without the surfaces `except`. If `with_certain` is false, `certain` stays 0.
+template <bool with_certain, class... Surfaces>
+KERNEL_CODE LeafTest test_leaf(const SurfaceBlock& leaf, const TreeLine& line, Surfaces... except)
 {
     const LaneVector direction = spread(line.direction);
     const LaneVector middle = spread(line.middle);
@@ -113,7 +113,9 @@ KERNEL_CODE LeafTest test_leaf(const SurfaceBlock& leaf, const TreeLine& line)
         const PlaneCrossing crossing = cross_plane({load_columns(leaf.corner, lane), load_columns(leaf.edge_u, lane),
                                                     load_columns(leaf.edge_v, lane), Lanes::load(leaf.slack + lane)},
                                                    middle, direction, Lanes::all(line.scale));
-        result.met |= bits(crossing.may_meet(first, last)) << lane;
+        LaneMask met = crossing.may_meet(first, last);
+        ((met = different(met, leaf.surface + lane, except)), ...);
+        result.met |= bits(met) << lane;
         if constexpr (with_certain)
             result.certain |= bits(crossing.certainly_meets(first, last)) << lane;
     }
@@ -202,13 +204,16 @@ KERNEL_CODE float entry_of(std::uint64_t pending)
     return entry;
 }
 
-/// State of a ray during the search, with the stack of its pending children. The nearest child of a node is on top.
+/// State of a ray during the search, with the stack of its pending children.
 struct alignas(64) ActiveRay
 {
     TreeLine line;
+    std::uint32_t next;    ///< index of the node or leaf to visit
     std::uint32_t pending; ///< number of children on the stack
     std::uint64_t* stack;
     double excluded_plane;
+    std::uint32_t from;
+    std::uint32_t known; ///< surface of the hit known at the start
 };
 
 /// Starts the search of a ray. The interval searched ends at the hit already known, if there is one.
@@ -220,12 +225,16 @@ KERNEL_CODE void start_ray(const FirstHitSearch& search, const Inverses& inverse
     const auto limit = static_cast<float>(distance);
     ray.line.last = limit < ray.line.last ? limit : ray.line.last;
     ray.excluded_plane = next.excluded_plane;
+    ray.from = next.from;
+    ray.known = search.nearest[next.number].best.surface;
+    ray.next = 0; // the root
     ray.pending = 0;
 }
 
-/// Returns the nearest of the children that were met and pushes the others on the stack of the ray, the farthest
-/// first. If none was met, the result has no meaning.
-KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, ActiveRay& ray)
+/// Returns the nearest of the children that were met and pushes the others on the stack of the ray, if `sorted` the
+/// farthest first. If none was met, the result has no meaning.
+KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const float* entry, bool sorted,
+                                       ActiveRay& ray)
 {
     const unsigned others = met & (met - 1);
     const unsigned one = first_lane(met);
@@ -244,7 +253,7 @@ KERNEL_CODE std::uint64_t take_nearest(unsigned met, const WideNode& node, const
         next = next < nearest ? nearest : next;
         nearest = nearer;
         std::uint32_t slot = count++;
-        for (; slot > 0 && top[slot - 1] < next; --slot)
+        for (; sorted && slot > 0 && top[slot - 1] < next; --slot)
             top[slot] = top[slot - 1];
         top[slot] = next;
     }
@@ -280,35 +289,18 @@ KERNEL_CODE void block(const FirstHitSearch& search, std::uint32_t surface, Acti
     ray.pending = 0;
 }
 
-/// A ray and the child or surface to test it against.
-struct RayTask
+/// A ray and a surface that it may meet.
+struct RayCandidate
 {
     ActiveRay* ray;
-    std::uint32_t index; ///< index of a node, leaf or surface
+    std::uint32_t surface;
 };
 
-/// The children that rays visit in a round, sorted into nodes and leaves without a branch.
-struct RayTasks
-{
-    RayTask nodes[FirstHitSearch::at_once];
-    RayTask leaves[FirstHitSearch::at_once];
-    std::size_t node_count = 0;
-    std::size_t leaf_count = 0;
-
-    /// Adds a child if `some` is 1, nothing if it is 0.
-    KERNEL_CODE void add(ActiveRay* ray, std::uint32_t child, std::size_t some)
-    {
-        const std::size_t is_leaf = child / WideNode::leaf_flag;
-        nodes[node_count] = {ray, child};
-        leaves[leaf_count] = {ray, child & ~WideNode::leaf_flag};
-        node_count += some & (1 - is_leaf);
-        leaf_count += some & is_leaf;
-    }
-};
-
-/// Rounds of the search for first hits. Each active ray visits one child per round: the nearest child of the node it
-/// was at, or else the top of its stack. A ray that is done makes room for the next one.
-KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
+/// Rounds of the search for first hits; `any`: FirstHitSearch::any. In a round each active ray visits one node or leaf,
+/// or a node and then a leaf below it, unless the leaf is to be fetched from memory first. A ray without a child to go
+/// on with takes the top of its stack, and one that is done makes room for the next one.
+template <bool any>
+KERNEL_CODE void search_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
 {
     if (search.ray_count == 0)
         return;
@@ -316,55 +308,80 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
     Inverses inverses;
     find_inverses(search.batch, search.rays[search.ray_count - 1].number + std::size_t{1}, inverses);
     ActiveRay rays[at_once];
-    RayTasks rounds[2];
+    ActiveRay* nodes[at_once + 1];
+    ActiveRay* leaves[at_once + 1];
     ActiveRay* idle[at_once + 1];
-    RayTask candidates[SurfaceBlock::lanes * at_once + 1];
+    RayCandidate candidates[SurfaceBlock::lanes * at_once + 1];
     Hit hits[at_once];
     ActiveRay* rays_of_hits[at_once];
     alignas(64) float entry[WideNode::lanes];
     const SearchedRay* next = search.rays;
     const SearchedRay* const end = search.rays + search.ray_count;
-    for (unsigned i = 0; next < end && i < at_once; ++i) {
-        rays[i].stack = search.stacks + i * search.stack_size;
-        start_ray(search, inverses, *next++, rays[i]);
-        rounds[0].add(rays + i, 0, 1);
+    std::size_t node_count = 0;
+    std::size_t leaf_count = 0;
+    for (; next < end && node_count < at_once; ++node_count) {
+        ActiveRay& ray = rays[node_count];
+        ray.stack = search.stacks + node_count * search.stack_size;
+        start_ray(search, inverses, *next++, ray);
+        nodes[node_count] = &ray;
     }
-    for (unsigned round = 0; rounds[round].node_count + rounds[round].leaf_count > 0; round = 1 - round) {
-        RayTasks& now = rounds[round];
-        RayTasks& then = rounds[1 - round];
-        then.node_count = then.leaf_count = 0;
+    // Lists a ray that goes on with a child, if `is_met` is 1. Branch-free: stores to both lists, advances one.
+    const auto visit = [&](ActiveRay* ray, std::uint32_t child, std::size_t is_met) {
+        const std::size_t is_leaf = child / WideNode::leaf_flag;
+        ray->next = child & ~WideNode::leaf_flag;
+        nodes[node_count] = ray;
+        leaves[leaf_count] = ray;
+        node_count += is_met & (1 - is_leaf);
+        leaf_count += is_met & is_leaf;
+    };
+    while (node_count + leaf_count > 0) {
         std::size_t idle_count = 0;
-        for (std::size_t i = 0; tree.is_large && i < now.leaf_count; ++i)
-            prefetch_all(tree.leaves[now.leaves[i].index]);
-        for (std::size_t i = 0; i < now.node_count; ++i) {
-            ActiveRay* const ray = now.nodes[i].ray;
-            const WideNode& node = tree.nodes[now.nodes[i].index];
+        for (std::size_t i = 0; tree.is_large && i < leaf_count; ++i)
+            prefetch_all(tree.leaves[leaves[i]->next]);
+        const std::size_t prefetched = leaf_count;
+        const std::size_t nodes_now = node_count;
+        node_count = 0;
+        for (std::size_t i = 0; i < nodes_now; ++i) {
+            ActiveRay* const ray = nodes[i];
+            const WideNode& node = tree.nodes[ray->next];
             const unsigned met = boxes_met(node, ray->line, entry);
-            const std::uint64_t nearest = take_nearest(met, node, entry, *ray);
-            then.add(ray, static_cast<std::uint32_t>(nearest), some(met));
+            // The branches of sorting take longer than visits to wrong children unless these wait for memory.
+            if (any && !tree.is_large) {
+                const auto child = [&](unsigned lane) { return std::uint64_t{node.child[lane]}; };
+                const std::size_t others = add_lanes(met & (met - 1), ray->stack + ray->pending, child);
+                ray->pending += static_cast<std::uint32_t>(others);
+                visit(ray, node.child[first_lane(met)], some(met));
+            } else {
+                visit(ray, static_cast<std::uint32_t>(take_nearest(met, node, entry, tree.is_large, *ray)), some(met));
+            }
             idle[idle_count] = ray;
             idle_count += 1 - some(met);
         }
         std::size_t candidate_count = 0;
-        for (std::size_t i = 0; i < now.leaf_count; ++i) {
-            ActiveRay* const ray = now.leaves[i].ray;
-            const SurfaceBlock& leaf = tree.leaves[now.leaves[i].index];
+        const std::size_t leaves_now = tree.is_large ? prefetched : leaf_count;
+        for (std::size_t i = 0; i < leaves_now; ++i) {
+            ActiveRay* const ray = leaves[i];
+            const SurfaceBlock& leaf = tree.leaves[ray->next];
             idle[idle_count++] = ray;
-            const LeafTest test = search.any ? test_leaf<true>(leaf, ray->line) : test_leaf<false>(leaf, ray->line);
+            // A ray meets the surface it starts on, and its target if nothing is before it: both are decided already.
+            const LeafTest test = any ? test_leaf<true>(leaf, ray->line, ray->from, ray->known)
+                                      : test_leaf<false>(leaf, ray->line, ray->from);
             if (test.certain != 0)
                 block(search, leaf.surface[first_lane(test.certain)], *ray);
             const unsigned met = test.certain == 0 ? test.met : 0;
             candidate_count += add_lanes(met, candidates + candidate_count, [&](unsigned lane) {
                 prefetch_all(table.row(leaf.surface[lane]));
-                return RayTask{ray, leaf.surface[lane]};
+                return RayCandidate{ray, leaf.surface[lane]};
             });
         }
+        leaf_count -= leaves_now;
+        std::memmove(leaves, leaves + leaves_now, leaf_count * sizeof *leaves);
         for (std::size_t first = 0; first < candidate_count; first += at_once) {
             const std::size_t last = first + at_once < candidate_count ? first + at_once : candidate_count;
             std::size_t hit_count = 0;
             for (std::size_t i = first; i < last; ++i) {
                 ActiveRay* const ray = candidates[i].ray;
-                const std::uint32_t surface = candidates[i].index;
+                const std::uint32_t surface = candidates[i].surface;
                 const bool is_met = decide(table, search.lines[ray->line.number], surface, hits[hit_count]);
                 rays_of_hits[hit_count] = ray;
                 hit_count += every(is_met, table.row(surface).plane() != ray->excluded_plane) ? 1 : 0;
@@ -375,20 +392,23 @@ KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, co
         for (std::size_t i = 0; i < idle_count; ++i) {
             ActiveRay* const ray = idle[i];
             const float length = ray->line.last - ray->line.first;
-            std::uint64_t top = ~std::uint64_t{0};
-            while (ray->pending > 0 && top == ~std::uint64_t{0}) {
-                const std::uint64_t child = ray->stack[--ray->pending];
-                top = entry_of(child) <= length ? child : top;
-            }
-            if (top == ~std::uint64_t{0}) { // the ray is done: the next one takes its slot
-                if (next == end)
-                    continue;
+            std::uint32_t pending = ray->pending;
+            while (pending > 0 && entry_of(ray->stack[pending - 1]) > length)
+                --pending;
+            if (pending > 0) {
+                ray->pending = pending - 1;
+                visit(ray, static_cast<std::uint32_t>(ray->stack[pending - 1]), 1);
+            } else if (next < end) { // the ray is done: the next one takes its slot
                 start_ray(search, inverses, *next++, *ray);
-                top = 0; // the root
+                visit(ray, 0, 1); // the root
             }
-            then.add(ray, static_cast<std::uint32_t>(top), 1);
         }
     }
+}
+
+KERNEL_ENTRY void find_first(const TreeView& tree, const SurfaceTable& table, const FirstHitSearch& search)
+{
+    return search.any ? search_first<true>(tree, table, search) : search_first<false>(tree, table, search);
 }
 
 } // namespace
