@@ -201,15 +201,6 @@ private:
 std::uint64_t run_blocks(std::uint64_t first, std::uint64_t end, int threads, const BlockWork& produce,
                          const BlockWork& consume, const PauseWish& wants_pause)
 {
-    if (threads <= 1) {
-        std::uint64_t block = first;
-        while (block < end && !(block > first && wants_pause())) {
-            produce(block, 0);
-            consume(block, 0);
-            ++block;
-        }
-        return block;
-    }
     OrderedRun run(first, end, slot_count(threads), produce, consume, wants_pause);
     run_on_threads(threads, [&] { run.work(); });
     return run.next();

@@ -21,6 +21,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace multipath {
 
@@ -84,17 +86,6 @@ private:
     DiscreteDistribution patches_;
 };
 
-/// Sums over sample points.
-struct Sums
-{
-    std::uint64_t points = 0;
-    double weights = 0.0;
-    Rgb shown; ///< shown and true radiosity times weight
-    Rgb truth;
-    double product = 0.0; ///< [(W/m^2)^2] weighted product of the two deviations, mean of the channels
-    double square = 0.0;  ///< of its squares
-};
-
 /// Two independent estimates of the deviation of the shown radiosity from the truth at a point [W/m^2].
 struct Deviations
 {
@@ -113,12 +104,17 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
     const std::unique_ptr<Sequence> sequence = make_sequence("sobol-owen", 3);
     constexpr std::uint64_t points_at_a_time = 64;
     const Blocks blocks = {points, points_at_a_time};
-    BlockBuffers<Sums> parts(threads);
-    Sums all;
+    BlockBuffers<std::vector<std::pair<double, Deviations>>> buffers(threads); // with weights
+    ShownError result;
+    double weights = 0.0;
+    Rgb shown; // shown and true radiosity times weight
+    Rgb truth;
+    double products = 0.0; // [(W/m^2)^2] weighted products of the two deviations, mean of the channels
+    double squares = 0.0;  // of the products
     ordered_blocks(
         blocks.count(), threads,
         [&](std::uint64_t block, int slot) {
-            Sums& sums = parts[slot] = {};
+            buffers[slot].clear();
             std::vector<Item> items(static_cast<std::size_t>(blocks.first(block + 1) - blocks.first(block)));
             sequence->generate(blocks.first(block), items);
             for (std::size_t k = 0; k < items.size(); ++k) {
@@ -129,35 +125,29 @@ ShownError mean_product(const Scene& scene, const std::vector<Rgb>& guide, const
                     std::swap(side.edge_u, side.edge_v);
                 if (is_covered(scene, hit.surface, side, point))
                     continue;
-                const Deviations there = deviations(hit, blocks.first(block) + k);
-                const double product = weight * mean(there.one * there.other);
-                ++sums.points;
-                sums.weights += weight;
-                sums.shown += weight * there.shown;
-                sums.truth += weight * (there.shown - 0.5 * (there.one + there.other));
-                sums.product += product;
-                sums.square += product * product;
+                buffers[slot].emplace_back(weight, deviations(hit, blocks.first(block) + k));
             }
         },
         [&](std::uint64_t, int slot) {
-            all.points += parts[slot].points;
-            all.weights += parts[slot].weights;
-            all.shown += parts[slot].shown;
-            all.truth += parts[slot].truth;
-            all.product += parts[slot].product;
-            all.square += parts[slot].square;
+            for (const auto& [weight, there] : buffers[slot]) {
+                const double product = weight * mean(there.one * there.other);
+                ++result.points;
+                weights += weight;
+                shown += weight * there.shown;
+                truth += weight * (there.shown - 0.5 * (there.one + there.other));
+                products += product;
+                squares += product * product;
+            }
         });
-    ShownError result;
-    result.points = all.points;
-    if (all.points == 0)
+    if (result.points == 0)
         return result;
-    const auto n = static_cast<double>(all.points);
-    result.area = scene.own_area() * all.weights / static_cast<double>(points);
-    result.mean_shown = mean(all.shown) / all.weights;
-    result.mean_true = mean(all.truth) / all.weights;
-    const double scale = result.mean_true * result.mean_true * all.weights / n;
-    result.relative_mean_square = all.product / n / scale;
-    const double variance = std::max(0.0, all.square / n - all.product / n * (all.product / n));
+    const auto n = static_cast<double>(result.points);
+    result.area = scene.own_area() * weights / static_cast<double>(points);
+    result.mean_shown = mean(shown) / weights;
+    result.mean_true = mean(truth) / weights;
+    const double scale = result.mean_true * result.mean_true * weights / n;
+    result.relative_mean_square = products / n / scale;
+    const double variance = std::max(0.0, squares / n - products / n * (products / n));
     result.standard_error = std::sqrt(variance / n) / scale;
     return result;
 }

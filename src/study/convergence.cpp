@@ -143,40 +143,18 @@ std::vector<PlannedRun> runs_to_do(const StudyPlan& plan, const Journal& journal
     return runs;
 }
 
-/// What the executions of a curve share.
-struct PreparedCurve
-{
-    Preparation preparation;
-    double seconds = 0.0; ///< processor time of one thread
-};
-
-/// Prepares the curves of these runs.
-std::vector<PreparedCurve> prepare_curves(const Scene& scene, const StudyPlan& plan,
-                                          const std::vector<PlannedRun>& runs, int threads)
-{
-    std::vector<PreparedCurve> curves(plan.curves.size());
-    parallel_blocks(curves.size(), threads, [&](std::uint64_t n) {
-        const auto c = static_cast<std::size_t>(n);
-        if (std::none_of(runs.begin(), runs.end(), [&](const PlannedRun& run) { return run.curve == c; }))
-            return;
-        const double start = thread_seconds();
-        curves[c].preparation = prepare(scene, plan.curves[c].options);
-        curves[c].seconds = thread_seconds() - start;
-    });
-    return curves;
-}
-
-CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& run, const PreparedCurve& curve,
-                   const Reference& reference, const ProgressCallback& progress)
+/// Every run prepares itself with the options of its curve: its seconds are those of a single run.
+CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& run, const Reference& reference,
+                   const ProgressCallback& progress)
 {
     SolveOptions options = plan.curves[run.curve].options;
     options.lines = run.lines;
     options = independent_run(options, RandomStream::runs, plan.seed ^ run.lines,
                               static_cast<std::uint64_t>(run.number), item_stride(scene, options));
     const double start = thread_seconds();
-    const Solution solution = solve(scene, curve.preparation, options, progress);
+    const Solution solution = solve(scene, prepare(scene, plan.curves[run.curve].options), options, progress);
     CurvePoint point{run.lines};
-    point.seconds = curve.seconds + (thread_seconds() - start);
+    point.seconds = thread_seconds() - start;
     const ErrorMeasure error = measure_error(scene.weights(), solution.radiosity, reference.radiosity); // (1)
     point.local_lines = static_cast<double>(solution.local_lines);
     point.global_lines = static_cast<double>(solution.global_lines);
@@ -233,7 +211,6 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
                 const ProgressCallback& progress)
 {
     const std::vector<PlannedRun> runs = runs_to_do(plan, journal);
-    const std::vector<PreparedCurve> curves = prepare_curves(scene, plan, runs, threads);
     double all_lines = 0.0;
     for (const PlannedRun& run : runs)
         all_lines += static_cast<double>(run.lines);
@@ -249,7 +226,7 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
             reported = done;
             progress(std::min(1.0, done_lines / all_lines));
         };
-        journal.add(run.name, execute(scene, plan, run, curves[run.curve], reference, report));
+        journal.add(run.name, execute(scene, plan, run, reference, report));
         report(1.0);
     });
 

@@ -29,8 +29,6 @@ constexpr double legend_top = plot_top + plot_height + 46.0;
 constexpr double row_height = 19.0; ///< of the legend
 constexpr double sample_width = 20.0;
 constexpr double note_height = 16.0;
-constexpr double guide_label_width = 80.0;
-constexpr double guide_label_size = 11.0;
 constexpr double character_width = 6.6; ///< upper bound of the mean in a font of 12 px
 
 constexpr const char* line_grey = "#808080";
@@ -63,54 +61,23 @@ struct PlottedCurve
 {
     MarkStyle style;
     std::vector<PlottedPoint> points;
-    std::optional<PowerLaw> law;      ///< against the plot's abscissa
-    std::string law_words;            ///< in the legend
-    std::vector<PlotPoint> line = {}; ///< the law over the range of the fitted points; empty without a law
+    std::vector<PlotPoint> line; ///< the law over the range of the fitted points; empty without a law
+    std::string words;           ///< on the law, in the legend
 };
 
-/// Guides: two thin lines from one point with the slopes -1 (random lines) and -1.25 (the best of stratified sampling
-/// in four dimensions). The numbers are decades down per decade across.
-constexpr std::array<double, 2> guide_slopes = {1.0, 1.25};
-constexpr std::array<const char*, 2> guide_labels = {"slope \u22121", "slope \u22121.25"};
-
 /// True of a plot against what makes the error fall.
-bool has_guides(Abscissa against)
+bool shows_power_laws(Abscissa against)
 {
     return against == Abscissa::lines || against == Abscissa::seconds;
 }
 
-/// "slope −1.10 ± 0.01" with the 95 % interval; with three decimals if the interval is below 0.01.
-std::string slope_text(const std::optional<PowerLaw>& law)
+/// Points of the line of a law, as decimal logarithms.
+template <class Law>
+std::vector<PlotPoint> line_of(const Law& law, Extent across, int pieces)
 {
-    if (!law)
-        return "no slope";
-    return "slope " + slope_words(law, exponent_interval(*law) < 0.01 ? 3 : 2);
-}
-
-/// "least at 0.96 (0.93 to 1.00); (3) 1.29, pilot 1.06" with the 95 % interval.
-std::string ratio_words(const Curve& curve)
-{
-    std::string text = "no least error inside";
-    if (curve.ratio_law) {
-        const auto [low, high] = best_ratio_interval(*curve.ratio_law);
-        text = format("least at %.2f (%.2f to %.2f)", curve.ratio_law->best(), low, high);
-    }
-    const char* separator = "; ";
-    for (const CurvePoint& point : curve.points)
-        if (!point.rule.empty()) {
-            text += separator + rule_words(point.rule) + format(" %.2f", point.setting);
-            separator = ", ";
-        }
-    return text;
-}
-
-/// Points of the law between two decimal logarithms of the ratio.
-std::vector<PlotPoint> ratio_line(const RatioLaw& law, double low, double high)
-{
-    constexpr int pieces = 64;
     std::vector<PlotPoint> line;
     for (int k = 0; k <= pieces; ++k) {
-        const double x = low + (high - low) * k / pieces;
+        const double x = across.low + (across.high - across.low) * k / pieces;
         line.push_back({x, elementary::log10(law.at(elementary::pow(10.0, x)))});
     }
     return line;
@@ -120,10 +87,6 @@ std::vector<PlotPoint> ratio_line(const RatioLaw& law, double low, double high)
 PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t series)
 {
     PlottedCurve result{svg_series_mark(series), {}, {}, ""};
-    if (has_guides(against)) {
-        result.law = against == Abscissa::lines ? curve.law : fit(curve.points, against);
-        result.law_words = slope_text(result.law);
-    }
     Extent fitted; // across
     for (const CurvePoint& point : curve.points) {
         const double x = abscissa(point, against);
@@ -137,13 +100,14 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
         if (point.above_reference)
             fitted.include(elementary::log10(x));
     }
-    if (result.law && !fitted.empty())
-        for (const double x : {fitted.low, fitted.high})
-            result.line.push_back({x, elementary::log10(result.law->factor) + result.law->exponent * x});
-    if (against == Abscissa::ratio) {
-        result.law_words = ratio_words(curve);
-        if (curve.ratio_law)
-            result.line = ratio_line(*curve.ratio_law, fitted.low, fitted.high);
+    if (shows_power_laws(against)) {
+        const std::optional<PowerLaw> law = against == Abscissa::lines ? curve.law : fit(curve.points, against);
+        result.words = law ? "slope " + slope_words(law) : "no slope";
+        if (law && !fitted.empty())
+            result.line = line_of(*law, fitted, 1);
+    } else if (curve.ratio_law) {
+        result.words = "least at " + interval_words(best_ratio(*curve.ratio_law));
+        result.line = line_of(*curve.ratio_law, fitted, 64);
     }
     return result;
 }
@@ -167,19 +131,25 @@ Ranges ranges_of(const std::vector<PlottedCurve>& curves)
     return ranges;
 }
 
-/// The common left end of the guides: so high that the steeper one passes above all points of a curve of slope -1.
-PlotPoint guides_begin(const Ranges& ranges)
+/// The guides, two thin lines: down to the right with the slope -1 (random lines), back to their common left end, and
+/// down with the slope -1.25 (the best of stratified sampling in four dimensions). The left end is so high that the
+/// steeper one passes above all points of a curve of slope -1.
+std::vector<PlotPoint> guides_of(const Ranges& ranges)
 {
-    constexpr double room = 0.3; // [decades] for the labels
-    const double drop = (guide_slopes.back() - 1.0) * (ranges.across.high - ranges.across.low);
-    return {ranges.across.low, ranges.up.high + drop + room};
+    if (ranges.up.empty())
+        return {};
+    constexpr double room = 0.2; // [decades] above the points
+    const double width = ranges.across.high - ranges.across.low;
+    const double top = ranges.up.high + 0.25 * width + room;
+    return {{ranges.across.high, top - width}, {ranges.across.low, top}, {ranges.across.high, top - 1.25 * width}};
 }
 
-Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, Abscissa against)
+Plot plot_of(const std::vector<PlottedCurve>& curves, const std::vector<PlotPoint>& guides, Ranges ranges,
+             Abscissa against)
 {
     Extent& up = ranges.up;
-    if (!up.empty() && has_guides(against))
-        up.include(guides_begin(ranges).y);
+    for (const PlotPoint end : guides)
+        up.include(end.y);
     for (const PlottedCurve& curve : curves)
         for (const PlotPoint end : curve.line)
             up.include(end.y);
@@ -197,25 +167,12 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, Ranges ranges, Abscissa ag
             51.0};
 }
 
-/// Draws both guides, as long as the frame has room for their labels on the right.
-std::string guides_text(const Plot& plot, PlotPoint begin)
+std::vector<SvgPoint> at(const Plot& plot, const std::vector<PlotPoint>& points)
 {
-    const double decade_across = plot.width / (plot.across.high - plot.across.low); // [px]
-    const double decade_down = plot.height / (plot.up.high - plot.up.low);
-    const SvgPoint from = plot.at(begin);
-    const double room_across = plot.left + plot.width - guide_label_width - from.x;
-    const double room_down = plot.top + plot.height - guide_label_size - from.y;
-    const double decades = std::min(room_across / decade_across, room_down / (guide_slopes.back() * decade_down));
-    std::string text;
-    double least_y = 0.0; // of the next label
-    for (std::size_t k = 0; k < guide_slopes.size(); ++k) {
-        const SvgPoint to = {from.x + decades * decade_across, from.y + decades * guide_slopes[k] * decade_down};
-        const double label_y = std::max(to.y + 4.0, least_y);
-        text += svg_polyline({from, to}, {line_grey, 1.0}) +
-                svg_text(to.x + 5.0, label_y, guide_labels[k], SvgAnchor::start, guide_label_size, label_grey);
-        least_y = label_y + 1.2 * guide_label_size;
-    }
-    return text;
+    std::vector<SvgPoint> result;
+    for (const PlotPoint point : points)
+        result.push_back(plot.at(point));
+    return result;
 }
 
 /// Positions of the filled marks, or of the hollow ones.
@@ -248,9 +205,7 @@ std::string curves_text(const Plot& plot, const std::vector<PlottedCurve>& curve
     std::string marks;
     for (const PlottedCurve& curve : curves) {
         const std::string& colour = curve.style.colour;
-        std::vector<SvgPoint> line;
-        for (const PlotPoint point : curve.line)
-            line.push_back(plot.at(point));
+        const std::vector<SvgPoint> line = at(plot, curve.line);
         lines += line.empty() ? svg_polyline(positions(plot, curve, true), {colour, 1.2, "1 3"})
                               : svg_polyline(line, {colour, 1.2});
         lines += svg_bars(error_bars(plot, curve), {colour, 1.2});
@@ -272,7 +227,7 @@ std::vector<std::string> notes_of(const Study& study)
         return {points, "Hollow: too near the reference's own error."};
     return {points + " \u00b1 after a slope: 95 % interval.",
             "Hollow: the reference's own error is not small beside it; left out of the fit.",
-            "No slope: the points are too few or too close."};
+            "No slope: the points are too few or too close. Grey: slopes \u22121 and \u22121.25."};
 }
 
 /// The legend: a row with mark, label and slope for each curve.
@@ -290,8 +245,7 @@ std::string legend_text(const std::vector<PlottedCurve>& curves, const std::vect
         const std::vector<SvgPoint> sample = {{legend_left, y - 4.0}, {legend_left + sample_width, y - 4.0}};
         text += (!curve.line.empty() ? svg_polyline(sample, {curve.style.colour, 1.2}) : "") +
                 svg_marks({{legend_left + 0.5 * sample_width, y - 4.0}}, curve.style, false) +
-                svg_text(label_x, y, labels[k], SvgAnchor::start) +
-                svg_text(slope_x, y, curve.law_words, SvgAnchor::start);
+                svg_text(label_x, y, labels[k], SvgAnchor::start) + svg_text(slope_x, y, curve.words, SvgAnchor::start);
     }
     return text;
 }
@@ -308,16 +262,16 @@ std::string convergence_plot(const Study& study, Abscissa against, const std::st
         labels.push_back(curve_label(study, curve));
     }
     const Ranges ranges = ranges_of(curves);
-    const Plot plot = plot_of(curves, ranges, against);
+    const std::vector<PlotPoint> guides = shows_power_laws(against) ? guides_of(ranges) : std::vector<PlotPoint>();
+    const Plot plot = plot_of(curves, guides, ranges, against);
     const std::vector<std::string> notes = notes_of(study);
     double note_y = legend_top + row_height * static_cast<double>(curves.size()) + 6.0;
     const double height = note_y + note_height * static_cast<double>(notes.size()) + 8.0;
     const double title_size = std::clamp(1.6 * plot_drawing_width / static_cast<double>(title.size() + 1), 8.0, 15.0);
     std::string text = svg_head(plot_drawing_width, height, title, comments) +
                        svg_text(0.5 * plot_drawing_width, 25.0, title, SvgAnchor::middle, title_size) + svg_grid(plot);
-    if (!ranges.across.empty() && has_guides(against))
-        text += guides_text(plot, guides_begin(ranges));
-    text += curves_text(plot, curves) + svg_axes(plot) + legend_text(curves, labels);
+    text += svg_polyline(at(plot, guides), {line_grey, 1.0}) + curves_text(plot, curves) + svg_axes(plot) +
+            legend_text(curves, labels);
     for (const std::string& note : notes) {
         text += svg_text(legend_left, note_y + 0.8 * note_height, note, SvgAnchor::start, 11.0, label_grey);
         note_y += note_height;

@@ -141,23 +141,21 @@ std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points)
     return law;
 }
 
-std::array<double, 2> best_ratio_interval(const RatioLaw& law)
+Estimate best_ratio(const RatioLaw& law)
 {
     constexpr double tail = 0.05; // beyond either end of the interval
     const double factor = elementary::exp(student_quantile(tail, law.points - 2) * law.log_error);
-    return {law.best() / factor, law.best() * factor};
+    return {law.best(), law.best() / factor, law.best() * factor};
 }
 
-double error_over_least(double ratio, double best)
+Estimate error_over_least(double ratio, const RatioLaw& law)
 {
-    return (best * best * (1.0 + 1.0 / ratio) + 1.0 + ratio) / ((1.0 + best) * (1.0 + best));
-}
-
-std::array<double, 2> error_over_least_interval(double ratio, const RatioLaw& law)
-{
-    const auto [low, high] = best_ratio_interval(law);
-    const auto [least, largest] = std::minmax({error_over_least(ratio, low), error_over_least(ratio, high)});
-    return {ratio > low && ratio < high ? 1.0 : least, largest};
+    const auto if_least_at = [&](double best) {
+        return (best * best * (1.0 + 1.0 / ratio) + 1.0 + ratio) / ((1.0 + best) * (1.0 + best));
+    };
+    const Estimate best = best_ratio(law);
+    const auto [least, largest] = std::minmax({if_least_at(best.low), if_least_at(best.high)});
+    return {if_least_at(best.value), ratio > best.low && ratio < best.high ? 1.0 : least, largest};
 }
 
 } // namespace multipath

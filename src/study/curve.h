@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -92,14 +91,19 @@ std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa agai
 /// above_reference. Nothing for fewer than three different ratios, or if the least error is at none of them.
 std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points);
 
-/// The 95 % confidence interval of a law's best ratio, from its low end to its high end.
-std::array<double, 2> best_ratio_interval(const RatioLaw& law);
+/// A number with its 95 % confidence interval, which is infinite if the uncertainty is unknown.
+struct Estimate
+{
+    double value;
+    double low;
+    double high;
+};
 
-/// [1] Error at a ratio > 0 over the least error, where a law has its least error at `best` > 0.
-double error_over_least(double ratio, double best);
+/// The ratio at which a law has its least error.
+Estimate best_ratio(const RatioLaw& law);
 
-/// The range of error_over_least() where `best` is in its 95 % confidence interval.
-std::array<double, 2> error_over_least_interval(double ratio, const RatioLaw& law);
+/// [1] Error at a ratio > 0 over the least error of the law.
+Estimate error_over_least(double ratio, const RatioLaw& law);
 
 struct Curve
 {

@@ -20,61 +20,55 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A measured number with its uncertainty, which is infinite if unknown.
-struct Measured
+/// `half`: half the width of the interval.
+Estimate estimate(double value, double half)
 {
-    double value;
-    double shown;    ///< after "±": half the width of the interval of a slope, the standard error of a ratio
-    double interval; ///< half the width of the 95 % interval
-};
+    return {value, value - half, value + half};
+}
 
 /// Relative MSE of one point over that of another, each the mean of so many executions. The interval is by Student's t,
 /// since the scatter is estimated from the executions.
-Measured ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
+Estimate ratio_of(const CurvePoint& above, const CurvePoint& below, int executions)
 {
     const double value = above.relative / below.relative;
     const double error =
         value * elementary::hypot(above.relative_error / above.relative, below.relative_error / below.relative);
-    return {value, error, executions < 2 ? infinity : student_quantile(0.05, 2 * (executions - 1)) * error};
+    return estimate(value, executions < 2 ? infinity : student_quantile(0.05, 2 * (executions - 1)) * error);
 }
 
 /// Relative MSE of a method over that of another one, at the largest number of lines, with random lines.
-Measured error_ratio(const Study& study, const char* method, const char* other)
+Estimate error_ratio(const Study& study, const char* method, const char* other)
 {
     return ratio_of(curve_of(study, method, "random").points.back(), curve_of(study, other, "random").points.back(),
                     study.executions);
 }
 
-Measured slope_of(const Curve& curve)
+Estimate slope_of(const Curve& curve)
 {
-    const double interval = curve.law ? exponent_interval(*curve.law) : infinity;
-    return {curve.law ? curve.law->exponent : 0.0, interval, interval};
+    return curve.law ? estimate(curve.law->exponent, exponent_interval(*curve.law)) : estimate(0.0, infinity);
 }
 
-Measured difference(const Measured& a, const Measured& b)
+Estimate difference(const Estimate& a, const Estimate& b)
 {
-    const double interval = elementary::hypot(a.interval, b.interval);
-    return {a.value - b.value, interval, interval};
+    return estimate(a.value - b.value, elementary::hypot(a.high - a.value, b.high - b.value));
 }
 
-std::string words(const Measured& measured, int decimals)
+std::string words(const Estimate& measured, int decimals)
 {
-    if (std::isinf(measured.shown))
+    if (std::isinf(measured.high))
         return "none";
-    return fixed(measured.value, decimals) + " ± " + fixed(measured.shown, decimals);
+    return fixed(measured.value, decimals) + " ± " + fixed(measured.high - measured.value, decimals);
 }
 
 /// Verdict on whether a number is between two limits: undecided if its interval contains one of them.
-Verdict between(const Measured& measured, double low, double high)
+Verdict between(const Estimate& measured, double low, double high)
 {
-    const double least = measured.value - measured.interval;
-    const double largest = measured.value + measured.interval;
-    if (least > low && largest < high)
+    if (measured.low > low && measured.high < high)
         return Verdict::holds;
-    return largest < low || least > high ? Verdict::differs : Verdict::undecided;
+    return measured.high < low || measured.low > high ? Verdict::differs : Verdict::undecided;
 }
 
-using MeasuredSlopes = std::array<Measured, 2>; ///< on 5CUBES and on 4CHAIRS
+using MeasuredSlopes = std::array<Estimate, 2>; ///< on 5CUBES and on 4CHAIRS
 
 MeasuredSlopes slopes(const PaperFindings& f, const char* sequence)
 {
@@ -91,9 +85,9 @@ Claim both_between(const char* statement, const char* expected, const MeasuredSl
 
 Claim sobol_as_printed(const PaperFindings& f)
 {
-    MeasuredSlopes off = slopes(f, "sobol");
-    off[0].value -= published_slopes.back().five_cubes;
-    off[1].value -= published_slopes.back().four_chairs;
+    const MeasuredSlopes found = slopes(f, "sobol");
+    const MeasuredSlopes off = {difference(found[0], estimate(published_slopes.back().five_cubes, 0.0)),
+                                difference(found[1], estimate(published_slopes.back().four_chairs, 0.0))};
     Claim claim = both_between("Sobol's slopes are those of Table 1", "−1.102 and −1.122, within 0.1", off, -0.1, 0.1);
     claim.found += " off";
     return claim;
@@ -106,8 +100,8 @@ Claim halton_varies(const PaperFindings& f)
     const auto coarse = [&](const char* sequence) {
         return slope_of(curve_of(f.study("order"), "first-shot", sequence, "sequence"));
     };
-    const Measured large = coarse(large_bases);
-    const Measured fine = slope_of(curve_of(f.study("figure3"), "first-shot", large_bases));
+    const Estimate large = coarse(large_bases);
+    const Estimate fine = slope_of(curve_of(f.study("figure3"), "first-shot", large_bases));
     return {"Halton's slope depends on bases and scene", "−0.844 to −1.113",
             words(coarse("halton:2,7,3,5"), 3) + " and " + words(large, 3) + " with patches of 0.5, the latter " +
                 words(fine, 3) + " with smaller ones",
@@ -137,7 +131,7 @@ Claim budget(const std::string& what, const PublishedBudget& printed, double rat
 
 /// The claim that the error of a method over that of another one is between two limits. `times`: what the ratio
 /// multiplies.
-Claim ratio_between(const std::string& statement, const std::string& expected, const Measured& ratio, int decimals,
+Claim ratio_between(const std::string& statement, const std::string& expected, const Estimate& ratio, int decimals,
                     const std::string& times, double low, double high)
 {
     return {statement, expected, words(ratio, decimals) + " times " + times, between(ratio, low, high)};
@@ -145,8 +139,8 @@ Claim ratio_between(const std::string& statement, const std::string& expected, c
 
 Claim floor_lit(const PaperFindings& f)
 {
-    const Measured first = error_ratio(f.study("figure9"), "first-shot", "local");
-    const Measured extended = error_ratio(f.study("figure9"), "extended", "local");
+    const Estimate first = error_ratio(f.study("figure9"), "first-shot", "local");
+    const Estimate extended = error_ratio(f.study("figure9"), "extended", "local");
     return {"Figure 9: lit downwards, the multi-path methods beat local Monte Carlo", "both better",
             "first shot " + words(first, 2) + ", extended " + words(extended, 2) + " times its error",
             std::max(between(first, 0.0, 1.0), between(extended, 0.0, 1.0))};
@@ -192,24 +186,18 @@ std::vector<Claim> paper_claims(const PaperFindings& f)
 
 std::vector<Claim> ratio_claims(const PaperFindings& f, const std::string& rule)
 {
-    constexpr double little = 1.03;
     std::vector<Claim> claims;
-    for (const auto& [name, title] : open_scenes)
+    for (const auto& [name, title] : report_scenes)
         for (const Curve& curve : f.study("ratio-" + std::string(name)).curves) {
             Claim claim = {std::string(title) + ", " + curve.kind.method + ", " + curve.kind.sequence, "–", "–",
                            Verdict::undecided};
             const auto chosen = std::find_if(curve.points.begin(), curve.points.end(),
                                              [&](const CurvePoint& point) { return point.rule == rule; });
             if (const std::optional<RatioLaw>& law = curve.ratio_law; law && chosen != curve.points.end()) {
-                const auto [low, high] = best_ratio_interval(*law);
-                const auto [least, largest] = error_over_least_interval(chosen->setting, *law);
-                claim.expected = fixed(law->best(), 2) + " (" + fixed(low, 2) + " to " + fixed(high, 2) + ")";
-                claim.found = fixed(chosen->setting, 2) + ": " +
-                              fixed(error_over_least(chosen->setting, law->best()), 2) + " (" + fixed(least, 2) +
-                              " to " + fixed(largest, 2) + ")";
-                claim.verdict = largest < little ? Verdict::holds
-                                : least > little ? Verdict::differs
-                                                 : Verdict::undecided;
+                const Estimate error = error_over_least(chosen->setting, *law);
+                claim.expected = interval_words(best_ratio(*law));
+                claim.found = fixed(chosen->setting, 2) + ": " + interval_words(error);
+                claim.verdict = between(error, 0.0, 1.03);
             }
             claims.push_back(claim);
         }
@@ -220,26 +208,20 @@ std::vector<Claim> threshold_claims(const PaperFindings& f)
 {
     std::vector<Claim> claims;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Study& study = f.study("threshold-" + std::string(open_scenes[k][0]));
+        const Study& study = f.study("threshold-" + std::string(report_scenes[k][0]));
         for (const Curve& curve : study.curves) {
             const auto at = [&](double threshold) {
                 return *std::find_if(curve.points.begin(), curve.points.end(),
                                      [&](const CurvePoint& point) { return point.setting == threshold; });
             };
             const auto times = [&](double threshold) { return ratio_of(at(threshold), at(1.0), study.executions); };
-            claims.push_back({std::string(open_scenes[k][1]) + ", " + curve.kind.sequence,
+            claims.push_back({std::string(report_scenes[k][1]) + ", " + curve.kind.sequence,
                               words(times(0.25), 2) + "; " + words(times(4.0), 2),
                               words(times(0.0), 2) + "; " + words(times(16.0), 2),
                               std::max(between(times(0.0), 1.0, infinity), between(times(16.0), 1.0, infinity))});
         }
     }
     return claims;
-}
-
-std::string verdict_word(Verdict verdict)
-{
-    constexpr const char* words[] = {"holds", "undecided", "differs"};
-    return words[static_cast<std::size_t>(verdict)];
 }
 
 } // namespace multipath

@@ -58,14 +58,11 @@ public:
     void claims()
     {
         heading(2, "In short");
-        ReportTable claims = {{"statement", "paper", "here", ""}};
-        for (const Claim& claim : paper_claims(f_))
-            claims.push_back({claim.statement, claim.expected, claim.found, verdict_word(claim.verdict)});
-        table(claims);
-        text("Slopes are given with half the width of their 95 % interval (Student's t over the scatter of the points "
-             "about the line), ratios with their standard error over the executions. A statement is undecided if the "
-             "95 % interval contains values for and against it; more executions make it narrower. Errors are relative "
-             "mean square errors, (1) over the square of the mean radiosity.");
+        claim_table({"statement", "paper", "here", ""}, paper_claims(f_));
+        text("Slopes and ratios are given with half the width of their 95 % interval: Student's t over the scatter of "
+             "the points about the line, or of the executions. A statement is undecided if the interval contains "
+             "values for and against it; more executions make it narrower. Errors are relative mean square errors, "
+             "(1) over the square of the mean radiosity.");
     }
 
     void scenes()
@@ -149,26 +146,19 @@ public:
     void beyond()
     {
         heading(2, "Beyond the paper: line reuse");
-        figures({{"reuse-5cubes", "5CUBES"},
-                 {"reuse-4chairs", "4CHAIRS, lit downwards"},
-                 {"reuse-4chairs-up", "4CHAIRS, lit upwards"}});
-        figures({{"reuse-5cubes-seconds", "5CUBES, against processor time"},
-                 {"reuse-4chairs-seconds", "4CHAIRS, lit downwards"},
-                 {"reuse-4chairs-up-seconds", "4CHAIRS, lit upwards"}});
+        scene_figures("reuse-", 3);
+        scene_figures("reuse-", 3, "-seconds");
         ReportTable gains = {
             {"at the most lines", "extended, Sobol (Owen)", "reuse, Sobol (Owen)", "gain", "slope of reuse"}};
-        for (const auto& [file, name] : {std::pair{"reuse-5cubes", "5CUBES"},
-                                         {"reuse-4chairs", "4CHAIRS, downwards"},
-                                         {"reuse-4chairs-up", "4CHAIRS, upwards"}})
-            gains.push_back(reuse_row(file, name));
+        for (std::size_t k = 0; k < 3; ++k)
+            gains.push_back(reuse_row(std::string("reuse-") + report_scenes[k][0], report_scenes[k][1]));
         table(gains);
         text("The paper's methods forget a line once it has carried power. Line reuse counts which patches the lines "
              "join and then solves a linear system (docs/beyond.md). Its curves fall more steeply than the limit of "
              "−1.25 where not only the visibility of each pair but also what is known of its neighbours improves with "
              "the lines.");
-        text("Times are processor time of one thread, what a run computes before its first line included: for line "
-             "reuse the form factors without obstacles, a fixed amount. Against time the curves of line reuse "
-             "therefore begin late and fall at once.");
+        text("Against processor time the curves of line reuse begin late and fall at once: before its first line a run "
+             "computes the form factors without obstacles, a fixed amount.");
     }
 
     void open_questions()
@@ -179,45 +169,33 @@ public:
              "lit patches hold equal unshot power (f, R_s'), and after an extended first shot all patches. A pilot "
              "with a sixteenth of the lines, at most, shows a and b of the scene itself (V1) (V2) "
              "(<code>--ratio measured</code>).");
-        std::vector<std::pair<std::string, std::string>> curves;
-        for (const auto& [name, title] : open_scenes)
-            curves.emplace_back("ratio-" + std::string(name), title);
-        figures(curves);
+        scene_figures("ratio-", 4);
         const std::vector<Claim> formula = ratio_claims(f_, "auto");
         const std::vector<Claim> pilot = ratio_claims(f_, "measured");
-        ReportTable rules = {
-            {"", "least error at", "(3): error over the least", "at most 3 %", "pilot", "at most 3 %"}};
-        for (std::size_t k = 0; k < formula.size(); ++k)
-            rules.push_back({formula[k].statement, formula[k].expected, formula[k].found,
-                             verdict_word(formula[k].verdict), pilot[k].found, verdict_word(pilot[k].verdict)});
-        table(rules);
+        claim_table({"by (3)", "least error at", "ratio: error over the least", "at most 3 % more"}, formula);
+        claim_table({"by a pilot", "least error at", "ratio: error over the least", "at most 3 % more"}, pilot);
         text("In brackets the 95 % intervals. That its error is at most 3 % above the least holds for (3) in " +
-             count_of(formula, Verdict::holds) + ", for the pilot in " + count_of(pilot, Verdict::holds) + " of the " +
-             std::to_string(formula.size()) + " cases; it differs in " + count_of(formula, Verdict::differs) +
-             " and in " + count_of(pilot, Verdict::differs) + ".");
+             count_that_hold(formula) + ", for the pilot in " + count_that_hold(pilot) + " cases.");
         heading(2, "Open questions: the threshold");
-        figures({{"threshold-5cubes", "5CUBES"},
-                 {"threshold-4chairs", "4CHAIRS, downwards"},
-                 {"threshold-4chairs-up", "4CHAIRS, upwards"}});
-        ReportTable thresholds = {{"extended first shot: error over that of (4)", "at a quarter of (4); at 4 times",
-                                   "at 0; at 16 times", "both worse than (4)"}};
+        scene_figures("threshold-", 3);
         const std::vector<Claim> claims = threshold_claims(f_);
-        for (const Claim& claim : claims)
-            thresholds.push_back({claim.statement, claim.expected, claim.found, verdict_word(claim.verdict)});
-        table(thresholds);
+        claim_table({"extended first shot: error over that of (4)", "at a quarter of (4); at 4 times",
+                     "at 0; at 16 times", "both worse than (4)"},
+                    claims);
         text("A threshold of 0 is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991): local lines do "
              "all, and the global ones carry nothing. A large one leaves the light where the sources threw it. That "
              "(4) is better than both holds in " +
-             count_of(claims, Verdict::holds) + " of " + std::to_string(claims.size()) + " cases.");
+             count_that_hold(claims) + " cases.");
     }
 
     std::string html;
 
 private:
-    static std::string count_of(const std::vector<Claim>& claims, Verdict verdict)
+    /// Such as "3 of 8".
+    static std::string count_that_hold(const std::vector<Claim>& claims)
     {
-        return std::to_string(
-            std::count_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.verdict == verdict; }));
+        const auto holds = [](const Claim& claim) { return claim.verdict == Verdict::holds; };
+        return format("%d of %zu", static_cast<int>(std::count_if(claims.begin(), claims.end(), holds)), claims.size());
     }
 
     void heading(int level, const std::string& words)
@@ -230,10 +208,20 @@ private:
 
     void table(const ReportTable& rows)
     {
-        html += "<div class=\"wide\"><table>\n" + row_of(rows[0], "th");
-        for (std::size_t k = 1; k < rows.size(); ++k)
-            html += row_of(rows[k], "td");
+        html += "<div class=\"wide\"><table>\n";
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            html += row_of(rows[k], k == 0 ? "th" : "td");
         html += "</table></div>\n";
+    }
+
+    void claim_table(const std::vector<std::string>& header, const std::vector<Claim>& claims)
+    {
+        constexpr std::array<const char*, 3> verdicts = {"holds", "undecided", "differs"};
+        ReportTable rows = {header};
+        for (const Claim& claim : claims)
+            rows.push_back(
+                {claim.statement, claim.expected, claim.found, verdicts[static_cast<std::size_t>(claim.verdict)]});
+        table(rows);
     }
 
     /// Figures side by side: pairs of a file name without extension and a caption.
@@ -252,6 +240,15 @@ private:
                     html_escaped(f_.commands.at(file)) + "</code></details></figcaption>\n</figure>\n";
         }
         html += "</div>\n";
+    }
+
+    /// Of the first `count` scenes: files whose names begin and end like this.
+    void scene_figures(const std::string& begin, std::size_t count, const std::string& end = "")
+    {
+        std::vector<std::pair<std::string, std::string>> wanted;
+        for (std::size_t k = 0; k < count; ++k)
+            wanted.emplace_back(begin + report_scenes[k][0] + end, report_scenes[k][1]);
+        figures(wanted);
     }
 
     /// A row on formula (3); `decimals`: of its result and of R_s' and, but for one, of n_int.

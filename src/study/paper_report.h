@@ -68,14 +68,11 @@ const Curve& curve_of(const Study& study, const std::string& method, const std::
 /// contains values that agree with the statement and values that contradict it. The worse of two is the larger.
 enum class Verdict { holds, undecided, differs };
 
-/// "holds", "undecided" or "differs".
-std::string verdict_word(Verdict verdict);
-
-/// A statement of the paper, and the result of the program for it.
+/// A statement, and the result of the program for it.
 struct Claim
 {
     std::string statement;
-    std::string expected; ///< what the paper reports
+    std::string expected; ///< what the paper reports, or what the result is compared with
     std::string found;    ///< what the program measured
     Verdict verdict = Verdict::differs;
 };
@@ -92,11 +89,11 @@ std::vector<Claim> ratio_claims(const PaperFindings& findings, const std::string
 /// (4).
 std::vector<Claim> threshold_claims(const PaperFindings& findings);
 
-/// The scenes of these studies: names of their files and titles.
-constexpr std::array<std::array<const char*, 2>, 4> open_scenes = {{{"5cubes", "5CUBES"},
-                                                                    {"4chairs", "4CHAIRS, downwards"},
-                                                                    {"4chairs-up", "4CHAIRS, upwards"},
-                                                                    {"cornell", "Cornell box"}}};
+/// The scenes of the studies beyond the paper's: names of their files and titles.
+constexpr std::array<std::array<const char*, 2>, 4> report_scenes = {{{"5cubes", "5CUBES"},
+                                                                      {"4chairs", "4CHAIRS, downwards"},
+                                                                      {"4chairs-up", "4CHAIRS, upwards"},
+                                                                      {"cornell", "Cornell box"}}};
 
 /// The report of the reproduction as a self-contained HTML page: the statements of the paper beside the results, then
 /// every table and figure with an explanation. `folder` is the folder that holds the files of the figures. The comments

@@ -4,7 +4,6 @@
 #include "export/csv_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cinttypes>
 #include <cmath>
 #include <cstdlib>
@@ -22,6 +21,17 @@ std::string reference_text(const Study& study)
                   *study.reference_relative_square);
 }
 
+const char* name_of(Abscissa varied)
+{
+    return varied == Abscissa::lines ? "lines" : varied == Abscissa::ratio ? "ratio" : "threshold";
+}
+
+/// CurvePoint::rule in words.
+const char* rule_words(const std::string& rule)
+{
+    return rule == "auto" ? "(3)" : "pilot";
+}
+
 std::string point_text(const Study& study, const CurvePoint& point)
 {
     const std::string spread =
@@ -30,7 +40,7 @@ std::string point_text(const Study& study, const CurvePoint& point)
         study.varied == Abscissa::lines ? std::to_string(point.lines) : format("%.4g", point.setting);
     return format("  %12s  %12.0f  %12.0f  %11.4e%s%s  %10.3g%s\n", first.c_str(), point.local_lines,
                   point.global_lines, point.relative, spread.c_str(), point.above_reference ? " " : "*", point.seconds,
-                  point.rule.empty() ? "" : ("  by " + rule_words(point.rule)).c_str());
+                  point.rule.empty() ? "" : format("  by %s", rule_words(point.rule)).c_str());
 }
 
 /// The least error of the law, and the error of each rule as a multiple of it.
@@ -38,16 +48,13 @@ std::string ratio_law_text(const Curve& curve)
 {
     if (!curve.ratio_law)
         return "  least error: at an end of the range, or too few points\n";
-    const auto [low, high] = best_ratio_interval(*curve.ratio_law);
-    std::string text = format("  least error %.4e at ratio %.3g (95 %%: %.3g to %.3g), by a fitted curve\n",
-                              curve.ratio_law->at(curve.ratio_law->best()), curve.ratio_law->best(), low, high);
+    const RatioLaw& law = *curve.ratio_law;
+    std::string text = format("  least error %.4e at ratio %s by a fitted curve, with the 95 %% interval\n",
+                              law.at(law.best()), interval_words(best_ratio(law)).c_str());
     for (const CurvePoint& point : curve.points)
-        if (!point.rule.empty()) {
-            const auto [least_times, most_times] = error_over_least_interval(point.setting, *curve.ratio_law);
-            text += format("  at the ratio %.3g of %s: %.2f times the least (%.2f to %.2f)\n", point.setting,
-                           rule_words(point.rule).c_str(), error_over_least(point.setting, curve.ratio_law->best()),
-                           least_times, most_times);
-        }
+        if (!point.rule.empty())
+            text += format("  at the ratio %.3g of %s: %s times the least\n", point.setting, rule_words(point.rule),
+                           interval_words(error_over_least(point.setting, law)).c_str());
     return text;
 }
 
@@ -69,20 +76,14 @@ std::string fixed(double value, int decimals)
     return (value < 0.0 && !zero ? "−" : "") + digits;
 }
 
-std::string slope_words(const std::optional<PowerLaw>& law, int decimals)
+std::string slope_words(const std::optional<PowerLaw>& law)
 {
-    return law ? fixed(law->exponent, decimals) + " ± " + fixed(exponent_interval(*law), decimals) : "none";
+    return law ? fixed(law->exponent, 3) + " ± " + fixed(exponent_interval(*law), 3) : "none";
 }
 
-std::string rule_words(const std::string& rule)
+std::string interval_words(const Estimate& estimate)
 {
-    return rule == "auto" ? "(3)" : "pilot";
-}
-
-const char* abscissa_name(Abscissa quantity)
-{
-    constexpr std::array<const char*, 4> names = {"lines", "seconds", "ratio", "threshold"};
-    return names[static_cast<std::size_t>(quantity)];
+    return format("%.2f (%.2f to %.2f)", estimate.value, estimate.low, estimate.high);
 }
 
 std::string curve_label(const Study& study, const Curve& curve)
@@ -106,8 +107,8 @@ std::string study_text(const Study& study)
         text += format("every point is the mean of %d executions\n", study.executions);
     for (const Curve& curve : study.curves) {
         text += "\n" + curve_label(study, curve) + "\n";
-        text += format("  %12s  %12s  %12s  %s%s  %10s\n", abscissa_name(study.varied), "local", "global",
-                       "relative MSE", study.executions > 1 ? "        " : "", "seconds");
+        text += format("  %12s  %12s  %12s  %s%s  %10s\n", name_of(study.varied), "local", "global", "relative MSE",
+                       study.executions > 1 ? "        " : "", "seconds");
         for (const CurvePoint& point : curve.points)
             text += point_text(study, point);
         if (study.varied == Abscissa::lines)
@@ -126,7 +127,7 @@ std::string study_csv(const Study& study, const std::vector<std::string>& commen
     csv += "method,sequence,lines,local_lines,global_lines,mse,relative_mse,standard_error,seconds,slope,slope_error,"
            "in_fit,replicates,pairing,chords,line_order";
     const bool varied = study.varied != Abscissa::lines;
-    csv += (varied ? "," + std::string(abscissa_name(study.varied)) + ",rule" : "") + "\n";
+    csv += (varied ? "," + std::string(name_of(study.varied)) + ",rule" : "") + "\n";
     for (const Curve& curve : study.curves)
         for (const CurvePoint& p : curve.points) {
             const std::string slope =

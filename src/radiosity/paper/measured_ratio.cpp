@@ -26,49 +26,6 @@
 
 namespace multipath {
 
-namespace {
-
-/// Sums over the patches.
-struct PilotSums
-{
-    double rho_squared = 0.0;      ///< [1] of rho^2, one per patch
-    double received = 0.0;         ///< [W/m^2] of rho^2 I / A, with I the power that arrived by rays
-    double unshot = 0.0;           ///< [W/m^2] <b>
-    double unshot_squared = 0.0;   ///< [W^2/m^4] <b^2>
-    double unshot_reflected = 0.0; ///< [W/m^2] <rho b>
-    double mean_rho = 0.0;         ///< [1] <rho>
-    double mean_rho_squared = 0.0; ///< [1] <rho^2>
-};
-
-/// After a single pass, b contains the noise of what the patch received: the variance of I, which came in rays of equal
-/// power, is I times this power. It is subtracted from <b^2>, which is meant without noise. After several passes b is
-/// at most the threshold: nothing is subtracted.
-PilotSums sums_of(const Scene& scene, const PilotShot& pilot)
-{
-    PilotSums sums;
-    const bool is_single = pilot.passes.size() == 1;
-    const double ray_power =
-        is_single ? pilot.passes[0].power / static_cast<double>(pilot.passes[0].lines) : 0.0; // [W]
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        const double area = scene.area(i);
-        const double share = area / scene.total_area();
-        const double rho = mean(scene.reflectance(i));
-        const double b = mean(pilot.after.unshot[i]) / area;
-        const double irradiance = mean(pilot.after.incident[i] - pilot.before.incident[i]) / area;
-        const double noise = rho * rho * irradiance * ray_power / area;
-        sums.rho_squared += rho * rho;
-        sums.received += rho * rho * irradiance;
-        sums.unshot += share * b;
-        sums.unshot_squared += share * (b * b - noise);
-        sums.unshot_reflected += share * rho * b;
-        sums.mean_rho += share * rho;
-        sums.mean_rho_squared += share * rho * rho;
-    }
-    return sums;
-}
-
-} // namespace
-
 WalkDensity walk_density(const Scene& scene, const GlobalLines& global_lines, const Sequence& sequence,
                          std::uint64_t first_item, bool bidirectional)
 {
@@ -97,15 +54,41 @@ LineVariances line_variances(const Scene& scene, const PilotShot& pilot, const W
     double shot = 0.0; // Phi_s [W]
     for (const ShotPass& pass : pilot.passes)
         shot += pass.power;
+    // After a single pass, b contains the noise of what the patch received: the variance of I, which came in rays of
+    // equal power, is I times this power. It is subtracted from <b^2>, which is meant without noise. After several
+    // passes b is at most the threshold: nothing is subtracted.
+    const double ray_power = pilot.passes.size() == 1 ? shot / static_cast<double>(pilot.passes[0].lines) : 0.0; // [W]
+    const PowerState before(scene);
+    double rho_squared = 0.0;      // [1] of rho^2, one per patch
+    double received = 0.0;         // [W/m^2] of rho^2 I / A, with I the power that arrived by rays
+    double unshot = 0.0;           // [W/m^2] <b>
+    double unshot_squared = 0.0;   // [W^2/m^4] <b^2>
+    double unshot_reflected = 0.0; // [W/m^2] <rho b>
+    double mean_rho = 0.0;         // [1] <rho>
+    double mean_rho_squared = 0.0; // [1] <rho^2>
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+        const double area = scene.area(i);
+        const double share = area / scene.total_area();
+        const double rho = mean(scene.reflectance(i));
+        const double b = mean(pilot.after.unshot[i]) / area;
+        const double irradiance = mean(pilot.after.incident[i] - before.incident[i]) / area;
+        const double noise = rho * rho * irradiance * ray_power / area;
+        rho_squared += rho * rho;
+        received += rho * rho * irradiance;
+        unshot += share * b;
+        unshot_squared += share * (b * b - noise);
+        unshot_reflected += share * rho * b;
+        mean_rho += share * rho;
+        mean_rho_squared += share * rho * rho;
+    }
     const double q = walk.arriving_share;
-    const PilotSums sums = sums_of(scene, pilot);
-    const double first = sums.unshot / (1.0 - q * sums.mean_rho); // M_1
-    double second = std::max(0.0, sums.unshot_squared) + 2.0 * q * sums.unshot_reflected * first;
+    const double first = unshot / (1.0 - q * mean_rho); // M_1
+    double second = std::max(0.0, unshot_squared) + 2.0 * q * unshot_reflected * first;
     if (!walk.bidirectional)
-        second += 2.0 * q * q * sums.mean_rho_squared * first * first;
-    second /= 1.0 - q * sums.mean_rho_squared;                         // M_2
-    return {shot * sums.received,                                      // (V1)
-            q * second * sums.rho_squared / walk.departures_per_area}; // (V2)
+        second += 2.0 * q * q * mean_rho_squared * first * first;
+    second /= 1.0 - q * mean_rho_squared;                         // M_2
+    return {shot * received,                                      // (V1)
+            q * second * rho_squared / walk.departures_per_area}; // (V2)
 }
 
 std::optional<double> best_ratio(const LineVariances& variances)

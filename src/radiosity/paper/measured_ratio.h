@@ -15,7 +15,6 @@ namespace multipath {
 /// A first shot, plain or extended, with few rays of about equal power.
 struct PilotShot
 {
-    PowerState before;            ///< the initial state
     PowerState after;             ///< the state when its passes were done
     std::vector<ShotPass> passes; ///< as shoot_extended() returned them
 };

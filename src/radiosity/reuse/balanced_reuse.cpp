@@ -283,18 +283,22 @@ private:
             return result;
         constexpr double even = 0.01; // the weight that all patches keep
         const std::vector<double>& weight = rays_.importance->weight;
-        const double weighted_area = rays_.importance->weighted_area(scene_);
-        const auto mean_over_rays = [&](std::uint32_t i, const Importance::Value& value) {
-            double sum = 0.0;
-            double all = 0.0;
-            for_row(i, [&](double w, double rays, std::uint32_t j) {
-                all += rays * w;
-                if (j != nothing)
-                    sum += rays * w * value(j);
+        double weighted_area = 0.0;
+        for (std::uint32_t i = 0; i < n_; ++i)
+            weighted_area += weight[i] * scene_.area(i);
+        constexpr int reflections = 8; // more of them would add little, and the result only guides sampling
+        std::vector<double> influence(n_);
+        for (int k = 0; k < reflections; ++k)
+            influence = parallel_list(n_, run_.threads, [&](std::uint32_t i) {
+                double sum = 0.0;
+                double all = 0.0;
+                for_row(i, [&](double w, double rays, std::uint32_t j) {
+                    all += rays * w;
+                    if (j != nothing)
+                        sum += rays * w * (mean(rho_[j]) * std::sqrt(weight[j]) + mean(rho_[j]) * influence[j]);
+                });
+                return quotient(sum, all);
             });
-            return quotient(sum, all);
-        };
-        const std::vector<double> influence = rays_.importance->influence(scene_, mean_over_rays, run_.threads);
         for (std::uint32_t i = 0; i < n_; ++i) {
             const double reflected = mean(rho_[i]) * influence[i];
             result[i] = std::sqrt((even + weight[i]) * result[i] * result[i] +

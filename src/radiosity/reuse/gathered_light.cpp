@@ -57,13 +57,14 @@ struct RaysToLights
         const Receiver receiver = {patch, scene.patch(patch).shape, patch_sums};
         constexpr double below_one = 0x1.fffffffffffffp-1;
         const double step = cuts.irradiance(patch) / static_cast<double>(rays);
-        const SeenCluster* cluster = cuts.begin(patch);
+        const std::vector<SeenCluster>& seen = cuts.of(patch);
+        auto cluster = seen.begin();
         double begin = 0.0; // of the cluster, in the cumulative irradiance
         double number = static_cast<double>(first) + offset;
         patch_sums.rays += static_cast<double>(items.size());
         for (std::size_t k = 0; k < items.size(); ++k, number += 1.0) {
             const double at = number * step;
-            while (cluster + 1 < cuts.end(patch) && at >= begin + static_cast<double>(cluster->irradiance))
+            while (cluster + 1 < seen.end() && at >= begin + static_cast<double>(cluster->irradiance))
                 begin += static_cast<double>((cluster++)->irradiance);
             const double x = std::clamp((at - begin) / static_cast<double>(cluster->irradiance), 0.0, below_one);
             add_ray(receiver, *cluster, x, items[k], true);

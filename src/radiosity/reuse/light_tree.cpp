@@ -236,11 +236,10 @@ struct LightCuts::CutFinder
     double angle;
     double touching = coplanar_distance * scene.bounds().diagonal();
 
-    /// Appends the cut of the patch to the block.
-    void find(std::uint32_t patch, Block& block) const
+    Cut cut_of(std::uint32_t patch) const
     {
         const FlatPiece receiver = scene.patch(patch).shape;
-        Cut cut{block.clusters.size(), 0, 0.0, {}};
+        Cut cut;
         std::vector<std::uint32_t> stack(tree.empty() ? 0 : 1, 0);
         while (!stack.empty()) {
             const std::uint32_t node = stack.back();
@@ -269,11 +268,11 @@ struct LightCuts::CutFinder
             }
             if (!(irradiance > 0.0))
                 continue;
-            block.clusters.push_back({node, static_cast<float>(irradiance)});
-            cut.irradiance += static_cast<double>(block.clusters.back().irradiance);
+            cut.clusters.push_back({node, static_cast<float>(irradiance)});
+            cut.irradiance += static_cast<double>(cut.clusters.back().irradiance);
         }
-        cut.end = block.clusters.size();
-        block.cuts.push_back(cut);
+        cut.clusters.shrink_to_fit();
+        return cut;
     }
 
     /// [W/m^2] Irradiance from a single light by exchange_area(). The power of a light in contact is added to `contact`
@@ -297,20 +296,16 @@ struct LightCuts::CutFinder
 
 LightCuts::LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads)
 {
-    const Blocks patches = {scene.patch_count(), patches_of_block};
     const CutFinder finder{scene, tree, angle};
-    blocks_.resize(static_cast<std::size_t>(patches.count()));
-    parallel_blocks(patches.count(), threads, [&](std::uint64_t number) {
-        for (std::uint64_t i = patches.first(number); i < patches.first(number + 1); ++i)
-            finder.find(static_cast<std::uint32_t>(i), blocks_[static_cast<std::size_t>(number)]);
-    });
+    cuts_.resize(scene.patch_count());
+    parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) { cuts_[i] = finder.cut_of(i); });
 }
 
 double LightCuts::bytes() const
 {
     double clusters = 0.0;
-    for (const Block& block : blocks_)
-        clusters += static_cast<double>(block.clusters.capacity());
+    for (const Cut& cut : cuts_)
+        clusters += static_cast<double>(cut.clusters.capacity());
     return clusters * sizeof(SeenCluster);
 }
 

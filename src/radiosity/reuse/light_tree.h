@@ -173,12 +173,11 @@ public:
     /// the distance of their centres. (Where the normals of the lights differ, their projected area is less certain.)
     LightCuts(const Scene& scene, const LightTree& tree, double angle, int threads);
 
-    const SeenCluster* begin(std::uint32_t patch) const { return of(patch).clusters.data() + cut(patch).begin; }
-    const SeenCluster* end(std::uint32_t patch) const { return of(patch).clusters.data() + cut(patch).end; }
-    double irradiance(std::uint32_t patch) const { return cut(patch).irradiance; } ///< [W/m^2] sum over its clusters
+    const std::vector<SeenCluster>& of(std::uint32_t patch) const { return cuts_[patch].clusters; }
+    double irradiance(std::uint32_t patch) const { return cuts_[patch].irradiance; } ///< [W/m^2] sum over its clusters
     /// Power [W] that the patch receives from lights that touch it face to face. No shadow ray can find such a light,
     /// and no cluster contains this power.
-    Rgb contact(std::uint32_t patch) const { return cut(patch).contact; }
+    Rgb contact(std::uint32_t patch) const { return cuts_[patch].contact; }
     double bytes() const; ///< [bytes] memory of all clusters
 
     /// True if the radii of light and patch together are at least `angle` [1] times the distance of their centres.
@@ -192,23 +191,13 @@ public:
 private:
     struct Cut
     {
-        std::size_t begin; ///< among the clusters of its block
-        std::size_t end;
-        double irradiance;
-        Rgb contact;
-    };
-    static constexpr std::uint32_t patches_of_block = 512;
-    struct Block ///< the cuts of consecutive patches
-    {
         std::vector<SeenCluster> clusters;
-        std::vector<Cut> cuts;
+        double irradiance = 0.0;
+        Rgb contact;
     };
     struct CutFinder;
 
-    const Block& of(std::uint32_t patch) const { return blocks_[patch / patches_of_block]; }
-    const Cut& cut(std::uint32_t patch) const { return of(patch).cuts[patch % patches_of_block]; }
-
-    std::vector<Block> blocks_;
+    std::vector<Cut> cuts_; ///< per patch
 };
 
 } // namespace multipath

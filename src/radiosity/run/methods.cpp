@@ -189,17 +189,12 @@ std::uint64_t lines_to_trust_reuse(const Scene& scene)
 
 // The table
 
-constexpr Stages only_particles = {cast_particles};
 constexpr Stages shots_and_walk = {shots, global_pass};
-constexpr Stages shots_and_reuse = {shots, rays_to_sky, reuse};
-constexpr Stages rays_and_iterations = {ray_series, ray_iterations};
-constexpr Stages shots_and_bundles = {shots, bundle_iterations};
-constexpr Stages only_walks = {gather_by_walks};
 
 constexpr MethodInfo method_table[] = {
     {"local",
      "Particles from patch to patch, absorbed or reflected where they arrive; no global lines. To compare with.",
-     "estimator", only_particles, "local"},
+     "estimator", Stages{cast_particles}, "local"},
     {"global",
      "Multi-path alone: the sources, too, send their power along global lines. Every pair of patches that a "
      "line joins exchanges power.",
@@ -216,18 +211,19 @@ constexpr MethodInfo method_table[] = {
      "Lines are only counted: which patches they join, and what is in their way. A linear system then gives the light. "
      "Goes beyond the paper; the most accurate, and what solve does by default.",
      "ratio chords direct denoise important power-per-line:direct=shoot threshold:direct=shoot steps:direct=shoot",
-     shots_and_reuse, "", prepare_pairs, FirstShot::extended, Chords::box, Shards::added, lines_to_trust_reuse,
-     "extended"},
+     Stages{shots, rays_to_sky, reuse}, "", prepare_pairs, FirstShot::extended, Chords::box, Shards::added,
+     lines_to_trust_reuse, "extended"},
     {"jacobi",
      "Stochastic Jacobi iterations: rays from all patches in proportion to the power that they send, the mean of the "
      "iterations. To compare with.",
-     "bidirectional", rays_and_iterations, "iteration"},
+     "bidirectional", Stages{ray_series, ray_iterations}, "iteration"},
     {"transillumination",
      "Rays from the sources distribute the direct light; parallel lines through the whole scene the rest, all patches "
      "exchanging power along each direction. To compare with.",
-     "ratio power-per-line threshold bundle", shots_and_bundles, "first-shot bundle", prepare_ratio, FirstShot::plain},
-    {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator", only_walks,
-     "gathering"}};
+     "ratio power-per-line threshold bundle", Stages{shots, bundle_iterations}, "first-shot bundle", prepare_ratio,
+     FirstShot::plain},
+    {"gathering", "Random walks from the patches back to the sources. To compare with.", "estimator",
+     Stages{gather_by_walks}, "gathering"}};
 
 std::vector<std::string_view> words_of(std::string_view text)
 {

@@ -15,11 +15,6 @@ namespace multipath {
 
 namespace {
 
-std::string text_of(double power)
-{
-    return format("%.6g", power);
-}
-
 /// Final check of a result: the balance closes, all numbers are finite, no patch is darker than it emits, and the
 /// emitted power is that of the sources, to the accuracy of the linear systems, if no line used a forecast. Throws
 /// NoSolution otherwise.
@@ -36,8 +31,9 @@ void require_sound(const Scene& scene, const Solution& solution)
     const double largest = std::max({std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
     const double source = std::max({balance.source.r, balance.source.g, balance.source.b});
     if (balance.emitted_error == 0.0 && !(largest <= 1e-4 * source))
-        throw NoSolution(scene.path() + ": these lines distribute " + text_of(mean(balance.emitted)) + " W of the " +
-                         text_of(mean(balance.source)) + " W that the sources emit; expected more lines");
+        throw NoSolution(scene.path() + format(": these lines distribute %.6g W of the %.6g W that the sources emit; "
+                                               "expected more lines",
+                                               mean(balance.emitted), mean(balance.source)));
 }
 
 /// Throws SettingsError if the sequence has fewer items than this after the skipped ones.

@@ -52,8 +52,6 @@ void add(const Solution& part, double share, Solution& sum)
 
 Solution combined(const Scene& scene, const std::vector<Solution>& parts)
 {
-    if (parts.size() == 1)
-        return parts[0];
     double lines = 0.0;
     bool all_have_errors = true;
     for (const Solution& part : parts) {

@@ -23,16 +23,6 @@ namespace multipath {
 // other this kernel is unbounded, and a few rays would dominate the mean. For such pairs the direction is uniform in
 // the solid angle of the larger patch seen from x instead; the weight is then the solid angle times the cosine at x.
 
-namespace {
-
-/// Upper bound of the distance of a point of the shape from its centre.
-double radius(const Surface& shape)
-{
-    return length(shape.edge_u) + length(shape.edge_v);
-}
-
-} // namespace
-
 RayPair::RayPair(const Scene& scene, std::uint32_t one, std::uint32_t other)
     : RayPair(scene, scene.patch(scene.area(one) <= scene.area(other) ? one : other),
               scene.patch(scene.area(one) <= scene.area(other) ? other : one))
@@ -44,6 +34,8 @@ RayPair::RayPair(const Scene& scene, const Patch& from, const Patch& to) : from_
     from_normal_ = from_.shape.normal();
     to_normal_ = to_.shape.normal();
     to_front_ = dot(to_normal_, scene.surfaces()[to_.surface].normal()) > 0.0;
+    // Upper bound of the distance of a point of the shape from its centre.
+    const auto radius = [](const Surface& shape) { return length(shape.edge_u) + length(shape.edge_v); };
     near_ = length(to_.shape.centre() - from_.shape.centre()) < radius(from_.shape) + radius(to_.shape);
     sampled_area_ = from_.shape.area() * (near_ ? 1.0 : to_.shape.area());
 }

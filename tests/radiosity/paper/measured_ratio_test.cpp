@@ -39,7 +39,7 @@ LineVariances variances_of(const Scene& scene, const SolveOptions& options)
     ExtendedShotOptions shot;
     shot.threshold = threshold_radiosity(scene);
     shot.most_steps = options.method->first_shot == FirstShot::plain ? 1 : options.most_steps;
-    PilotShot pilot{PowerState(scene), PowerState(scene), {}};
+    PilotShot pilot{PowerState(scene), {}};
     pilot.passes = shoot_pilot(scene, *sequence, 0, shot, 4096, 1, pilot.after);
     const GlobalLines lines(scene.bounds(), chords_of(options));
     return line_variances(scene, pilot, walk_density(scene, lines, *sequence, 0, options.bidirectional));

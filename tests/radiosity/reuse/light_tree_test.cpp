@@ -118,7 +118,7 @@ TEST_CASE("a cut holds about the light of all lamps, with few clusters, and noth
     double error = 0.0;
     double area = 0.0;
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
-        clusters += static_cast<double>(cuts.end(i) - cuts.begin(i));
+        clusters += static_cast<double>(cuts.of(i).size());
         const double expected = irradiance(scene, i);
         if (expected < 1e-9) {
             CHECK(cuts.irradiance(i) < 1e-6);
@@ -143,7 +143,7 @@ TEST_CASE("cuts are the same for any number of threads")
     const LightCuts seven(scene, tree, angle, 7);
     for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
         CHECK(one.irradiance(i) == seven.irradiance(i));
-        CHECK(std::equal(one.begin(i), one.end(i), seven.begin(i), seven.end(i),
+        CHECK(std::equal(one.of(i).begin(), one.of(i).end(), seven.of(i).begin(), seven.of(i).end(),
                          [](const SeenCluster& a, const SeenCluster& b) {
                              return a.node == b.node && a.irradiance == b.irradiance;
                          }));
