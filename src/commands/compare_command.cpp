@@ -1,7 +1,7 @@
 // The command `compare` measures the error of a result A against a reference B. If both have the same patches, the
-// radiosities are compared patch by patch, and standard errors, if known, predict how large the difference should be.
-// If both are states of the same surfaces with different patches, or there is only A, what smooth shading shows of A is
-// compared at sample points with light gathered from B or A (refinement/shown_error.h).
+// radiosities are compared patch by patch. If both are states of the same surfaces with different patches, or there is
+// only A, what smooth shading shows of A is compared at sample points with light gathered from B or A
+// (refinement/shown_error.h).
 
 #include "base/errors.h"
 #include "base/text_format.h"
@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -36,20 +35,9 @@ struct Comparison
     ErrorMeasure error{};
     double mean_a = 0.0; ///< radiosity [W/m^2]
     double mean_b = 0.0;
-    std::optional<double> expected_a{}; ///< [1] expected relative MSE (1) by the table's own standard errors
-    std::optional<double> expected_b{};
 
     /// [1] Root of the relative MSE.
     double root() const { return std::sqrt(error.relative_mean_square); }
-
-    /// Ratio of the MSE to the one expected from the standard errors: about 1 if A and B are independent and differ
-    /// only by their noise. Nothing if there are no standard errors, or all are 0.
-    std::optional<double> measured_over_expected() const
-    {
-        const double expected =
-            expected_a.value_or(0.0) * mean_a * mean_a + expected_b.value_or(0.0) * mean_b * mean_b; // [W^2/m^4]
-        return expected > 0.0 ? std::optional<double>(error.mean_square / expected) : std::nullopt;
-    }
 };
 
 /// Area-weighted mean [W/m^2].
@@ -64,13 +52,6 @@ double mean_radiosity(const PatchTable& table)
     return power / area;
 }
 
-std::optional<double> expected_error(const PatchTable& table)
-{
-    if (table.standard_error.empty())
-        return std::nullopt;
-    return expected_relative_square(table.areas, table.radiosity, table.standard_error);
-}
-
 /// Compares tables of the same patches, which must outlive the result. Throws InputError for numbers too large to
 /// square, and for a reference without light.
 Comparison compare(const PatchTable& a, const PatchTable& b)
@@ -80,38 +61,11 @@ Comparison compare(const PatchTable& a, const PatchTable& b)
     c.mean_a = mean_radiosity(a);
     c.mean_b = mean_radiosity(b);
     c.error = measure_error(b.areas, a.radiosity, b.radiosity);
-    c.expected_a = expected_error(a);
-    c.expected_b = expected_error(b);
-    const double all_figures = c.area + c.error.mean_square + c.mean_a * c.mean_a + c.mean_b * c.mean_b +
-                               c.expected_a.value_or(0.0) + c.expected_b.value_or(0.0);
-    if (!std::isfinite(all_figures))
+    if (!std::isfinite(c.area + c.error.mean_square + c.mean_a * c.mean_a + c.mean_b * c.mean_b))
         throw InputError(a.path + ": numbers too large to compare with " + b.path + ", expected W/m^2 and m^2");
     if (!(c.mean_b * c.mean_b > 0.0))
         throw InputError(b.path + ": mean radiosity is 0, expected a reference with light");
     return c;
-}
-
-/// "1.8e-05 (0.426 %)"
-std::string expected_text(std::optional<double> relative_square)
-{
-    return relative_square ? format("%.3g (%.3g %%)", *relative_square, 100.0 * std::sqrt(*relative_square))
-                           : "unknown";
-}
-
-/// Between 0.5 and 2 the standard errors explain the difference, since an MSE by a few replicates scatters by up to a
-/// factor of two.
-std::string errors_text(const Comparison& c)
-{
-    if (!c.expected_a && !c.expected_b)
-        return "";
-    std::string text = "errors     relative MSE by its own standard errors: A " + expected_text(c.expected_a) + ", B " +
-                       expected_text(c.expected_b) + "\n";
-    if (const std::optional<double> ratio = c.measured_over_expected())
-        text += format("explained  the MSE is %.3g times what these errors predict: %s\n", *ratio,
-                       *ratio < 0.5    ? "independent results would differ more"
-                       : *ratio <= 2.0 ? "they explain it"
-                                       : "they do not explain it");
-    return text;
 }
 
 /// The line of both reports on the mean radiosities [W/m^2].
@@ -143,18 +97,14 @@ std::string report_text(const Comparison& c)
     text += format("patches    %s, %.6g m^2\n", grouped(c.a.areas.size()).c_str(), c.area);
     text += format("MSE        %.4g W^2/m^4; relative %.4g, its root %.4g %%\n", c.error.mean_square,
                    c.error.relative_mean_square, 100.0 * c.root());
-    return text + means_text(c.mean_a, c.mean_b) + errors_text(c);
+    return text + means_text(c.mean_a, c.mean_b);
 }
 
 /// The report as the JSON object of `compare --json`.
 JsonObject report_json(const Comparison& c)
 {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.mean_a, c.mean_b);
     json.number("mean_square_error", c.error.mean_square);
-    json.number("expected_relative_mean_square_error", c.expected_a.value_or(unknown));
-    json.number("reference_expected_relative_mean_square_error", c.expected_b.value_or(unknown));
-    json.number("measured_over_expected", c.measured_over_expected().value_or(unknown));
     return json;
 }
 
@@ -236,24 +186,24 @@ int run_compare(const CommandLine& line)
 
 Command compare_command()
 {
-    return {{"compare",
-             "measure the error of a result against another one of the same scene",
-             {"A [B]", 1, 2},
-             {{"Report",
-               {{"points", 0, "N", "10000",
-                 "Number of points at which the shown light is compared, without B or if B has other patches."},
-                {"tolerance", 0, "SHARE", "",
-                 "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
-                {"json", 0, "", "", "Print the report as JSON on standard output."},
-                threads_option()}}},
-             "A is measured against B, the reference: tables (solve -o FILE.csv) or states of finished runs with the "
-             "same patches. Standard errors, if there are any, are said to explain the difference or not. A table of "
-             "another program, as A, needs the columns patch, counted from 0 in the order of B, and radiosity, or "
-             "radiosity_r, radiosity_g, radiosity_b.\n\n"
-             "States of the same surfaces with other patches, many more in B, are compared by what smooth shading "
-             "shows of A: at points, against light gathered from B, or from A itself without B. This is the error of "
-             "patches and noise together, but for errors common to all that a point sees."},
-            run_compare};
+    return {
+        {"compare",
+         "measure the error of a result against another one of the same scene",
+         {"A [B]", 1, 2},
+         {{"Report",
+           {{"points", 0, "N", "10000",
+             "Number of points at which the shown light is compared, without B or if B has other patches."},
+            {"tolerance", 0, "SHARE", "",
+             "End with exit code 1 if the root of the relative mean square error exceeds this, such as 1%."},
+            {"json", 0, "", "", "Print the report as JSON on standard output."},
+            threads_option()}}},
+         "A is measured against B, the reference: tables (solve -o FILE.csv) or states of finished runs with the "
+         "same patches. A table of another program, as A, needs the columns patch, counted from 0 in the order of B, "
+         "and radiosity, or radiosity_r, radiosity_g, radiosity_b.\n\n"
+         "States of the same surfaces with other patches, many more in B, are compared by what smooth shading "
+         "shows of A: at points, against light gathered from B, or from A itself without B. This is the error of "
+         "patches and noise together, but for errors common to all that a point sees."},
+        run_compare};
 }
 
 } // namespace multipath
