@@ -97,22 +97,28 @@ std::vector<ShotPass> shoot_pilot(const Scene& scene, const Sequence& sequence, 
     return shoot_extended(scene, sequence, first_item, options, {threads}, state);
 }
 
+namespace {
+
+/// The pilot by which the passes divide N_l; empty if they do not.
+std::vector<ShotPass> pilot_passes(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
+                                   const ExtendedShotOptions& options, int threads)
+{
+    if (options.power_by_line || options.most_steps == 1)
+        return {};
+    PowerState start(scene);
+    const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
+    return shoot_pilot(scene, sequence, first_item, options, rays, threads, start);
+}
+
+} // namespace
+
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe)
 {
-    std::vector<ShotPass> pilot;
     std::vector<ShotPass> passes;
-    const Checkpoint::Part part(run.checkpoint, "shot passes", [&](Archive& archive) {
-        visit(archive, passes);
-        const Archive::Inner inner(archive, "pilot");
-        visit(archive, pilot);
-    });
-    if (!part.resumed() && !options.power_by_line && options.most_steps > 1) {
-        PowerState copy = state; // only powers are taken from it
-        const std::uint64_t rays = std::clamp<std::uint64_t>(options.lines / 16, 1, 4096);
-        pilot = shoot_pilot(scene, sequence, first_item, options, rays, run.threads, copy);
-    }
+    const Checkpoint::Part part(run.checkpoint, "shot passes", [&](Archive& archive) { visit(archive, passes); });
+    const std::vector<ShotPass> pilot = pilot_passes(scene, sequence, first_item, options, run.threads);
     shoot_passes(scene, sequence, first_item, options, pilot, run, state, passes, observe); // (S2)
     return passes;
 }

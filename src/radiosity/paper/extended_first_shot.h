@@ -15,11 +15,14 @@ namespace multipath {
 /// Parameters of the extended first shot.
 struct ExtendedShotOptions
 {
-    /// [W/m^2] Unshot radiosity (emitted or reflected, but not yet sent on) that every patch keeps. With threshold 0
-    /// the method is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991).
-    double threshold = 0.0;
     static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-    /// N_l, number of rays to cast, reached approximately; if power_by_line is set, the largest number.
+
+    /// [W/m^2] Unshot radiosity (emitted or reflected, but not yet sent on) that every patch keeps: that of (4),
+    /// threshold_radiosity(), unless the user sets it. With threshold 0 the method is progressive ray refinement (Feda
+    /// and Purgathofer 1993, Shirley 1991).
+    double threshold = 0.0;
+    /// N_l, number of rays to cast, reached approximately: by (3), local_line_count(N, optimal_ratio(...)), unless the
+    /// user sets the ratio. If power_by_line is set, the largest number.
     std::uint64_t lines = no_limit;
     std::optional<double> power_by_line; ///< [W] power of one ray (plan_shots), if the user sets it
     int most_steps = 1000;               ///< maximum number of passes over the patches
@@ -44,8 +47,8 @@ inline void ignore_pass(std::uint64_t, const std::vector<Shot>&, const PowerStat
 /// The extended first shot ((S2) in docs/equations.md): in each pass, every patch whose unshot radiosity exceeds the
 /// threshold shoots the excess. Ends when no patch exceeds it or none gets a ray by rounding, when the lines are used
 /// up, after most_steps passes, or when the run is stopped. The rays take the items of the sequence from first_item on.
-/// Returns the passes. The caller must save `state`, as it is between two passes, in the checkpoint; this function
-/// saves the rest.
+/// Returns the passes. `state` is a new PowerState(scene), which the caller must save in the checkpoint as it is
+/// between two passes; this function saves the rest.
 std::vector<ShotPass> shoot_extended(const Scene& scene, const Sequence& sequence, std::uint64_t first_item,
                                      const ExtendedShotOptions& options, const RunControl& run, PowerState& state,
                                      const PassObserver& observe = ignore_pass);
