@@ -105,7 +105,7 @@ void add_open_questions(Steps& list, const Effort& effort)
                   scene + " --methods first-shot,extended" + sequences + " --ratios 1/16..16" + lines);
     for (const std::string scene : {"5cubes", "4chairs", "4chairs-up"})
         add_study(list, "threshold-" + scene,
-                  scene + " --methods extended" + sequences + " --thresholds 0,1/16..16" + lines);
+                  scene + " --methods extended" + sequences + " --thresholds 0,1/16..16 --ratio measured" + lines);
 }
 
 } // namespace

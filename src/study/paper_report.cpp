@@ -165,26 +165,27 @@ public:
     {
         heading(2, "Open questions: the ratio of local to global lines");
         text("The paper asks for a better rule than (3). Here the number of lines is fixed and their division varies. "
-             "The curves are a / N_l + b / N_g: local and global lines leave independent errors. (3) expects that the "
-             "lit patches hold equal unshot power (f, R_s'), and after an extended first shot all patches. A pilot "
-             "with a sixteenth of the lines, at most, shows a and b of the scene itself (V1) (V2) "
-             "(<code>--ratio measured</code>).");
+             "The curves a / N_l + b / N_g are fitted: they are exact for independent lines, and an approximation for "
+             "Sobol's. (3) expects that the lit patches hold equal unshot power (f, R_s'), and after an extended first "
+             "shot all patches. A pilot of the larger of 4,096 rays and two for each patch, at most a sixteenth of the "
+             "lines, shows a and b of the scene itself (V1) (V2); its rays are not counted here.");
         scene_figures("ratio-", 4);
         const std::vector<Claim> formula = ratio_claims(f_, "auto");
         const std::vector<Claim> pilot = ratio_claims(f_, "measured");
         claim_table({"by (3)", "least error at", "ratio: error over the least", "at most 3 % more"}, formula);
         claim_table({"by a pilot", "least error at", "ratio: error over the least", "at most 3 % more"}, pilot);
-        text("In brackets the 95 % intervals. That its error is at most 3 % above the least holds for (3) in " +
+        text("In brackets the 95 % intervals of the fits, whose points are the same lines divided differently. That "
+             "its error is at most 3 % above the least holds for (3) in " +
              count_that_hold(formula) + ", for the pilot in " + count_that_hold(pilot) + " cases.");
-        heading(2, "Open questions: the threshold");
+        heading(2, "A question of ours: the threshold");
         scene_figures("threshold-", 3);
         const std::vector<Claim> claims = threshold_claims(f_);
         claim_table({"extended first shot: error over that of (4)", "at a quarter of (4); at 4 times",
                      "at 0; at 16 times", "both worse than (4)"},
                     claims);
-        text("A threshold of 0 is progressive ray refinement (Feda and Purgathofer 1993, Shirley 1991): local lines do "
-             "all, and the global ones carry nothing. A large one leaves the light where the sources threw it. That "
-             "(4) is better than both holds in " +
+        text("Every threshold has the ratio of a pilot; ± is half the 95 % interval. A threshold of 0 is progressive "
+             "ray refinement (Feda and Purgathofer 1993, Shirley 1991): all lines are local. A large one leaves the "
+             "light where the sources threw it. That (4) is better than both holds in " +
              count_that_hold(claims) + " cases.");
     }
 
