@@ -1,5 +1,6 @@
 // Section 4.1 of the paper (Castro, Martinez, Sbert 1998) in the order in which it is done here, and where:
 //
+//   Threshold by (4), number of lines by (3)              line_budget.cpp
 //   PowerByLine                                           power_by_next_line()
 //   for each step, until no patch is above Threshold      shoot_passes(): no shots are the end
 //     for each patch i with UNSHOT[i] > Threshold         share_above() and plan_shots() in shots.cpp
@@ -13,17 +14,18 @@
 //
 // 1. The paper's user sets PowerByLine (here with --power-per-line). Otherwise N_l, the number of rays, is given, and
 //    PowerByLine is the power of all passes over N_l. That power is not known beforehand: a pilot with a few rays,
-//    which do not count among the N_l, estimates it. Each pass divides what is still to be shot by the rays that are
-//    left, so that all rays carry about the same power, and an error of the pilot does not add up.
+//    which do not count among the N_l, estimates it. Each pass takes of the rays that are left the part that the pilot
+//    gave it, so that all rays carry about the same power as far as the pilot is right.
 // 2. All shots of a pass are planned before its first ray, and their power is subtracted then: what a patch receives in
 //    a pass it shoots in the next one, as the text of the paper says. The pseudocode changes the patches while it goes
 //    over them.
 // 3. The n rays of a patch carry its excess over n each, not PowerByLine, so that nothing is lost by rounding. A patch
 //    that is worth less than a ray gets one at random (plan_shots), but the power of a pass is taken from all its
 //    patches (spend); one factor for each colour, at most 2, makes up for the rounding.
-// 4. The passes also end when no patch gets a ray by rounding, and when the N_l rays are used up; if the user sets
-//    PowerByLine, with the lines of the run: the last pass then has stronger rays. What patches still have above the
-//    threshold is sent by the global pass.
+// 4. The passes also end after a number of steps, as in the paper, when no patch gets a ray by rounding, and when the
+// N_l
+//    rays are used up; if the user sets PowerByLine, with the lines of the run: the last pass then has stronger rays.
+//    What patches still have above the threshold is sent by the global pass.
 // 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
