@@ -23,9 +23,8 @@
 //    that is worth less than a ray gets one at random (plan_shots), but the power of a pass is taken from all its
 //    patches (spend); one factor for each colour, at most 2, makes up for the rounding.
 // 4. The passes also end after a number of steps, as in the paper, when no patch gets a ray by rounding, and when the
-// N_l
-//    rays are used up; if the user sets PowerByLine, with the lines of the run: the last pass then has stronger rays.
-//    What patches still have above the threshold is sent by the global pass.
+//    N_l rays are used up; if the user sets PowerByLine, with the lines of the run: the last pass then has stronger
+//    rays. What patches still have above the threshold is sent by the global pass.
 // 5. Powers instead of radiosities, and three colours: the threshold applies to their mean.
 
 #include "radiosity/paper/extended_first_shot.h"
