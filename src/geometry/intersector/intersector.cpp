@@ -147,6 +147,19 @@ std::size_t Intersector::surfaces_around(std::uint32_t of, Vec3 point) const
     return count;
 }
 
+std::vector<std::uint32_t> Intersector::surfaces_near(const Bounds& box) const
+{
+    constexpr double rounding = 1e-6; // of coordinates in the frame, in single precision
+    const Vec3 margin = {rounding, rounding, rounding};
+    std::vector<std::uint32_t> found = core_->unfiltered_;
+    core_->tree_.for_each_near({core_->frame_.to_frame(box.low) - margin, core_->frame_.to_frame(box.high) + margin},
+                               [&](std::uint32_t surface) {
+                                   found.push_back(surface);
+                                   return true;
+                               });
+    return found;
+}
+
 /// A value of t at which the ray, followed forwards or backwards, has left the scene.
 double Intersector::Core::reach_of(const Line& ray) const
 {

@@ -64,6 +64,9 @@ public:
     /// PlaneNeighbours::is_listed).
     std::vector<std::uint32_t> coincident_surfaces(std::uint32_t of, Vec3 point) const;
 
+    /// A superset of the surfaces that reach into the box, in no particular order.
+    std::vector<std::uint32_t> surfaces_near(const Bounds& box) const;
+
     /// The hit of the line on this surface, or std::nullopt if they do not meet.
     std::optional<Hit> hit_on(const Line& line, std::uint32_t surface) const;
 
