@@ -50,6 +50,12 @@ std::optional<CellCorner> CornerLattice::cell_at(std::int64_t i, std::int64_t j,
 std::vector<GridPoint> CornerLattice::points() const
 {
     std::vector<GridPoint> result;
+    if (!tessellation_.trees) {
+        for (std::uint32_t j = 0; j <= tessellation_.grid_v(); ++j)
+            for (std::uint32_t i = 0; i <= tessellation_.grid_u() - (triangle() ? j : 0); ++i)
+                result.push_back({i, j});
+        return result;
+    }
     for (std::uint32_t cell = 0; cell < tessellation_.cell_count(); ++cell)
         for (const GridPoint point : tessellation_.corners(cell))
             result.push_back(point);

@@ -32,7 +32,7 @@ double longest_edge(const Surface& shape)
 }
 
 /// For each surface the first surface that it is connected to in one plane.
-std::vector<std::uint32_t> flat_parts(const Scene& scene)
+std::vector<std::uint32_t> flat_parts(const Scene& scene, const std::vector<Vec3>& normals)
 {
     const auto count = static_cast<std::uint32_t>(scene.surfaces().size());
     std::vector<std::pair<std::uint64_t, std::uint32_t>> edges; // hash of both ends and the material; surface
@@ -50,11 +50,8 @@ std::vector<std::uint32_t> flat_parts(const Scene& scene)
     for (std::size_t n = 1; n < edges.size(); ++n) {
         const std::uint32_t a = edges[n - 1].second;
         const std::uint32_t b = edges[n].second;
-        if (edges[n - 1].first != edges[n].first || scene.surface_material(a).emittance != Rgb{})
-            continue;
-        const Vec3 normal = scene.surfaces()[a].normal();
-        const Vec3 other = scene.surfaces()[b].normal();
-        if (dot(normal, other) > 0.0 && length(cross(normal, other)) < same_plane)
+        if (edges[n - 1].first == edges[n].first && scene.surface_material(a).emittance == Rgb{} &&
+            dot(normals[a], normals[b]) > 0.0 && length(cross(normals[a], normals[b])) < same_plane)
             parts.unite(a, b);
     }
     return parts.roots();
@@ -62,8 +59,11 @@ std::vector<std::uint32_t> flat_parts(const Scene& scene)
 
 } // namespace
 
-FlatRegions::FlatRegions(const VisiblePatches& patches)
-    : patches_(patches), region_of_(patches.scene().surfaces().size(), none), reach_(region_of_.size())
+FlatRegions::FlatRegions(const VisiblePatches& patches, const std::vector<Vec3>& normals)
+    : patches_(patches),
+      normals_(normals),
+      region_of_(patches.scene().surfaces().size(), none),
+      reach_(region_of_.size())
 {
     const Scene& scene = patches.scene();
     std::vector<double> longest;
@@ -75,7 +75,7 @@ FlatRegions::FlatRegions(const VisiblePatches& patches)
     }
     if (std::find(is_needle.begin(), is_needle.end(), true) == is_needle.end())
         return;
-    const std::vector<std::uint32_t> parts = flat_parts(scene);
+    const std::vector<std::uint32_t> parts = flat_parts(scene, normals);
     std::vector<std::uint32_t> members(parts.size());
     std::vector<bool> has_needle(parts.size());
     for (std::uint32_t s = 0; s < parts.size(); ++s) {
@@ -95,9 +95,8 @@ FlatRegions::FlatRegions(const VisiblePatches& patches)
 FlatRegions::Plane FlatRegions::plane_of(std::uint32_t surface, bool front) const
 {
     const std::uint32_t region = region_of_[surface];
-    const Surface& first = patches_.scene().surfaces()[region];
-    const Vec3 axis_u = normalized(first.edge_u);
-    return {region, front, reach_[region], axis_u, cross(first.normal(), axis_u)};
+    const Vec3 axis_u = normalized(patches_.scene().surfaces()[region].edge_u);
+    return {region, front, reach_[region], axis_u, cross(normals_[region], axis_u)};
 }
 
 FlatRegions::Square FlatRegions::Plane::square(Vec3 point) const
@@ -138,6 +137,14 @@ std::optional<Rgb> FlatRegions::value(const CornerGroup& group) const
     const Vec3 margin = plane.reach * (plane.axis_u + plane.axis_v);
     Square first = plane.square(group.corner - margin);
     Square last = plane.square(group.corner + margin);
+    std::vector<const Bin*> around;
+    std::vector<OpenPoint> points = {{*start, group.normal}};
+    const Square corner_of_all = last;
+    for (last[2] = first[2]; last <= corner_of_all; ++first[2], ++last[2])
+        for (auto bin = bins_.lower_bound(first); bin != bins_.upper_bound(last); ++bin) {
+            around.push_back(&bin->second);
+            points.push_back({bin->second.point, group.normal});
+        }
     struct Sample
     {
         double weight = 0.0;
@@ -146,20 +153,18 @@ std::optional<Rgb> FlatRegions::value(const CornerGroup& group) const
     };
     std::vector<Sample> samples;
     Sample sum;
-    const Square corner_of_all = last;
-    for (last[2] = first[2]; last <= corner_of_all; ++first[2], ++last[2])
-        for (auto entry = bins_.lower_bound(first); entry != bins_.upper_bound(last); ++entry) {
-            const Bin& bin = entry->second;
-            const double share = 1.0 / bin.weight;
-            const Vec3 offset = (1.0 / plane.reach) * (share * bin.centre - group.corner);
-            const Vec3 way = {dot(offset, plane.axis_u), dot(offset, plane.axis_v), 0.0};
-            const double near = 1.0 - dot(way, way); // its square falls smoothly to 0 at the distance `reach`
-            if (!(near > 0.0) || occluded_between(patches_.scene(), {*start, group.normal}, {bin.point, group.normal}))
-                continue;
-            const double weight = near * near * bin.weight;
-            samples.push_back({weight, way, share * bin.value});
-            sum = {sum.weight + weight, sum.way + weight * way, sum.value + weight * samples.back().value};
-        }
+    const NearbyOccluders occluders(patches_.scene(), normals_, points);
+    for (std::size_t k = 0; k < around.size(); ++k) {
+        const double share = 1.0 / around[k]->weight;
+        const Vec3 offset = (1.0 / plane.reach) * (share * around[k]->centre - group.corner);
+        const Vec3 way = {dot(offset, plane.axis_u), dot(offset, plane.axis_v), 0.0};
+        const double near = 1.0 - dot(way, way); // its square falls smoothly to 0 at the distance `reach`
+        if (!(near > 0.0) || occluders.separate(points.front(), points[k + 1]))
+            continue;
+        const double weight = near * near * around[k]->weight;
+        samples.push_back({weight, way, share * around[k]->value});
+        sum = {sum.weight + weight, sum.way + weight * way, sum.value + weight * samples.back().value};
+    }
     if (samples.empty())
         return std::nullopt;
     // A linear fit passes through the mean of the samples.

@@ -22,8 +22,8 @@ namespace multipath {
 class FlatRegions
 {
 public:
-    /// The argument and the scene must outlive this object.
-    explicit FlatRegions(const VisiblePatches& patches);
+    /// `normals`: unit front normals of all surfaces. The arguments and the scene must outlive this object.
+    FlatRegions(const VisiblePatches& patches, const std::vector<Vec3>& normals);
 
     /// True if the surface belongs to a region. A region has at least two surfaces, and the grid cells of at least one
     /// of them are needles.
@@ -64,6 +64,7 @@ private:
     void add(std::uint32_t surface, bool front);
 
     const VisiblePatches& patches_;
+    const std::vector<Vec3>& normals_;
     std::vector<std::uint32_t> region_of_; ///< per surface: the first surface of its region, or `none`
     std::vector<double> reach_;            ///< [scene units] of each region, at the index of its first surface
     std::map<Square, Bin> bins_;

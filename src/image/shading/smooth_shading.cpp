@@ -93,15 +93,12 @@ std::vector<char> surfaces_beside(const Scene& scene, const std::vector<char>& s
     return result;
 }
 
-/// True for groups of two surfaces that look like one, if some point of one group is not occluded from some point of
-/// the other.
-bool joins(const Scene& scene, const CornerGroup& a, const CornerGroup& b)
+/// True if some point of one group is not occluded from some point of the other.
+bool joins(const NearbyOccluders& occluders, const CornerGroup& a, const CornerGroup& b)
 {
-    if (a.surface == b.surface || !same_smoothing_group(a.normal, b.normal))
-        return false;
     for (const OpenPoint& from : a.points)
         for (const OpenPoint& to : b.points)
-            if (!occluded_between(scene, from, to))
+            if (!occluders.separate(from, to))
                 return true;
     return false;
 }
@@ -114,8 +111,22 @@ void put(const CornerGroup& group, Rgb value, std::vector<Rgb>& corners)
 }
 
 /// Joins groups at one position: the value of each becomes the weighted mean of itself and the groups it is joined to.
-void join_coinciding(const Scene& scene, const std::vector<const CornerGroup*>& groups, std::vector<Rgb>& corners)
+void join_coinciding(const Scene& scene, const std::vector<Vec3>& normals,
+                     const std::vector<const CornerGroup*>& groups, std::vector<Rgb>& corners)
 {
+    const std::size_t count = groups.size();
+    std::vector<std::pair<std::size_t, std::size_t>> pairs; // of groups that may join
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            if (groups[i]->surface != groups[j]->surface && same_smoothing_group(groups[i]->normal, groups[j]->normal))
+                pairs.emplace_back(i, j);
+    if (pairs.empty())
+        return;
+    std::vector<OpenPoint> points;
+    for (const CornerGroup* group : groups)
+        points.insert(points.end(), group->points.begin(), group->points.end());
+    if (points.empty())
+        return;
     struct Sum
     {
         Rgb value;
@@ -127,14 +138,14 @@ void join_coinciding(const Scene& scene, const std::vector<const CornerGroup*>& 
             weight += group.weight;
         }
     };
-    std::vector<Sum> others(groups.size());
-    for (std::size_t i = 0; i < groups.size(); ++i)
-        for (std::size_t j = i + 1; j < groups.size(); ++j)
-            if (joins(scene, *groups[i], *groups[j])) {
-                others[i].add(*groups[j]);
-                others[j].add(*groups[i]);
-            }
-    for (std::size_t i = 0; i < groups.size(); ++i) {
+    std::vector<Sum> others(count);
+    const NearbyOccluders occluders(scene, normals, points);
+    for (const auto& [i, j] : pairs)
+        if (joins(occluders, *groups[i], *groups[j])) {
+            others[i].add(*groups[j]);
+            others[j].add(*groups[i]);
+        }
+    for (std::size_t i = 0; i < count; ++i) {
         const auto [sum, weight] = others[i];
         const CornerGroup& own = *groups[i];
         if (weight > 0.0)
@@ -143,7 +154,8 @@ void join_coinciding(const Scene& scene, const std::vector<const CornerGroup*>& 
 }
 
 /// Joins coinciding groups of different surfaces.
-void join_borders(const Scene& scene, const std::deque<CornerGroup>& groups, int threads, std::vector<Rgb>& corners)
+void join_borders(const Scene& scene, const std::vector<Vec3>& normals, const std::deque<CornerGroup>& groups,
+                  int threads, std::vector<Rgb>& corners)
 {
     // Sorted also by slot, so that sums do not depend on the sorting algorithm.
     std::vector<std::tuple<std::uint64_t, std::size_t, const CornerGroup*>> order;
@@ -164,7 +176,7 @@ void join_borders(const Scene& scene, const std::deque<CornerGroup>& groups, int
               [](const auto& a, const auto& b) { return a.front()->slots.front() < b.front()->slots.front(); });
     parallel_numbers(static_cast<std::uint32_t>(coinciding.size()), threads, [&](std::uint32_t k) {
         if (coinciding[k].size() <= most_joined)
-            join_coinciding(scene, coinciding[k], corners);
+            join_coinciding(scene, normals, coinciding[k], corners);
     });
 }
 
@@ -190,7 +202,10 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
 {
     const Scene& scene = patches.scene();
     std::vector<Rgb> corners(CornerLattice::per_cell * slopes.size());
-    const FlatRegions regions(patches);
+    std::vector<Vec3> normals;
+    for (const Surface& surface : scene.surfaces())
+        normals.push_back(surface.normal());
+    const FlatRegions regions(patches, normals);
     std::deque<CornerGroup> groups; // whose values may change later
     const auto add = [&](const std::vector<char>& chosen) {
         std::vector<std::pair<std::uint32_t, bool>> sides; // surface, front
@@ -217,7 +232,7 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
     add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
     if (!shown.empty())
         add(surfaces_beside(scene, shown, groups, threads));
-    join_borders(scene, groups, threads, corners);
+    join_borders(scene, normals, groups, threads, corners);
     interpolate_hanging_nodes(groups, corners);
     return corners;
 }

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace multipath {
 
@@ -27,5 +28,28 @@ std::uint64_t position_hash(const Scene& scene, Vec3 point, std::uint64_t kind);
 /// True if an occluder, such as a wall on a floor, separates two nearby points of one smoothing group. A surface whose
 /// front normal fits into the smoothing group of either point is no occluder.
 bool occluded_between(const Scene& scene, const OpenPoint& a, const OpenPoint& b);
+
+/// Accelerates occluded_between() for many pairs of points from one set of nearby points. Tests only the surfaces close
+/// to the set, and leaves out those that fit into the smoothing group of every point of the set.
+class NearbyOccluders
+{
+public:
+    /// `normals`: unit front normals of all surfaces. `points`: the set. The scene must outlive this object.
+    NearbyOccluders(const Scene& scene, const std::vector<Vec3>& normals, const std::vector<OpenPoint>& points);
+
+    /// Equal to occluded_between() for two of the points.
+    bool separate(const OpenPoint& a, const OpenPoint& b) const;
+
+private:
+    struct Near
+    {
+        std::uint32_t surface;
+        Vec3 normal;
+        Bounds box;
+    };
+
+    const Scene& scene_;
+    std::vector<Near> near_; ///< the candidates
+};
 
 } // namespace multipath

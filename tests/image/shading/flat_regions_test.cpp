@@ -92,7 +92,10 @@ TEST_CASE("regions hold needles and what shares their plane and material, and no
     const Scene scene = builder.scene(0.5);
     const std::vector<Rgb> values = ramp(scene, 0.0);
     const VisiblePatches patches(scene, values, 1);
-    const FlatRegions regions(patches);
+    std::vector<Vec3> normals;
+    for (const Surface& surface : scene.surfaces())
+        normals.push_back(surface.normal());
+    const FlatRegions regions(patches, normals);
     for (std::uint32_t surface = 0; surface < 80; ++surface)
         CHECK(regions.contains(surface));
     for (std::uint32_t surface = 80; surface < scene.surfaces().size(); ++surface)

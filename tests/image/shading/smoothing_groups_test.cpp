@@ -1,7 +1,5 @@
 #include "image/shading/smoothing_groups.h"
 
-#include "geometry/intersector/intersector.h"
-
 #include "test_scenes.h"
 
 #include <doctest/doctest.h>
@@ -23,6 +21,9 @@ TEST_CASE("what stands between points near each other is found as among all surf
         for (int k = 0; k < count; ++k)
             builder.surface({Shape::triangle, point(1.0), point(0.2), point(-0.2)}, paint);
         const Scene scene = builder.scene(1.0);
+        std::vector<Vec3> normals;
+        for (const Surface& surface : scene.surfaces())
+            normals.push_back(surface.normal());
 
         int occluded_pairs = 0;
         for (int trial = 0; trial < 100; ++trial) {
@@ -30,18 +31,11 @@ TEST_CASE("what stands between points near each other is found as among all surf
             std::vector<OpenPoint> points;
             for (int k = 0; k < 4; ++k)
                 points.push_back({middle + point(0.05), normalized(point(1.0) + Vec3{0, 3, 0})});
+            const NearbyOccluders occluders(scene, normals, points);
             for (const OpenPoint& a : points)
                 for (const OpenPoint& b : points) {
-                    const double height = 0.01 * length(b.point - a.point);
-                    const Line lifted = chord(a.point + height * a.normal, b.point + height * b.normal);
-                    bool expected = false;
-                    for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s) {
-                        const Vec3 normal = scene.surfaces()[s].normal();
-                        expected = expected ||
-                                   (scene.intersector().hit_on(lifted, s) && !same_smoothing_group(normal, a.normal) &&
-                                    !same_smoothing_group(normal, b.normal));
-                    }
-                    REQUIRE(occluded_between(scene, a, b) == expected);
+                    const bool expected = occluded_between(scene, a, b);
+                    REQUIRE(occluders.separate(a, b) == expected);
                     occluded_pairs += expected ? 1 : 0;
                 }
         }
