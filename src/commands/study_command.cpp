@@ -188,21 +188,17 @@ std::vector<CurvePlan> curve_parts(const CommandLine& line, const CurveKind& wan
     if (!has_option(method, variation.option))
         throw UsageError("--" + variation.option + "s: the method " + wanted.method + " has no " + variation.option);
     std::vector<CurvePlan> parts;
-    const auto add = [&](const std::string& value) {
+    const auto add = [&](const std::string& value, double setting, const std::string& rule) {
         parts.push_back(curve_plan(line, wanted, {"--" + variation.option + "=" + value}));
-    };
-    for (const double number : variation.numbers) {
-        add(format("%.17g", number));
-        parts.back().setting = number;
-    }
-    std::vector<std::string> rules;
-    if (variation.quantity == Abscissa::ratio)
-        rules = has_option(method, "line-order") ? std::vector<std::string>{"auto", "measured"}
-                                                 : std::vector<std::string>{"auto"};
-    for (const std::string& rule : rules) {
-        add(rule);
+        parts.back().setting = setting;
         parts.back().rule = rule;
-    }
+    };
+    for (const double number : variation.numbers)
+        add(format("%.17g", number), number, "");
+    if (variation.quantity == Abscissa::ratio)
+        add("auto", 0.0, "auto");
+    if (variation.quantity == Abscissa::ratio && has_option(method, "line-order"))
+        add("measured", 0.0, "measured");
     return parts;
 }
 

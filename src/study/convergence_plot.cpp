@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -90,7 +91,7 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
     Extent fitted; // across
     for (const CurvePoint& point : curve.points) {
         const double x = abscissa(point, against);
-        if (!(x > 0.0 && point.relative > 0.0))
+        if (!(x > 0.0 && point.relative > 0.0) || !std::isfinite(x))
             continue;
         const double low = point.relative - point.relative_error;
         result.points.push_back({{elementary::log10(x), elementary::log10(point.relative)},

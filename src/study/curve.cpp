@@ -115,7 +115,7 @@ std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points)
     double v1 = 0.0;
     RatioLaw law;
     for (const CurvePoint& point : points) {
-        if (!point.above_reference || !(point.setting > 0.0 && point.relative > 0.0))
+        if (!point.above_reference || !(point.setting > 0.0 && point.relative > 0.0) || !std::isfinite(point.setting))
             continue;
         const double u = (1.0 + 1.0 / point.setting) / point.relative;
         const double v = (1.0 + point.setting) / point.relative;

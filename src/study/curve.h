@@ -67,8 +67,9 @@ struct CurvePoint
     double relative = 0.0;       ///< [1] relative MSE: MSE over the square of the reference's mean radiosity; mean
     double relative_error = 0.0; ///< [1] standard error of `relative`; 0 with one execution
     double seconds = 0.0;        ///< [s] processor time of one execution on one thread, with preparation: mean
-    double setting = 0.0;        ///< [1] what the study varies beside the lines: N_l / N_g, or the threshold over (4)
-    std::string rule = {};       ///< what chose the ratio, as --ratio names it; empty: the study
+    double setting = 0.0;  ///< [1] what the study varies beside the lines: N_l / N_g, infinite without global lines,
+                           ///< or the threshold over (4)
+    std::string rule = {}; ///< what chose the ratio, as --ratio names it; empty: the study
     /// True if the fit uses this point: the error of the reference is small beside the error of the point, or unknown.
     bool above_reference = true;
 };

@@ -211,8 +211,9 @@ std::vector<Claim> threshold_claims(const PaperFindings& f)
         const Study& study = f.study("threshold-" + std::string(report_scenes[k][0]));
         for (const Curve& curve : study.curves) {
             const auto at = [&](double threshold) {
-                return *std::find_if(curve.points.begin(), curve.points.end(),
-                                     [&](const CurvePoint& point) { return point.setting == threshold; });
+                const auto found = std::find_if(curve.points.begin(), curve.points.end(),
+                                                [&](const CurvePoint& point) { return point.setting == threshold; });
+                return found != curve.points.end() ? *found : throw std::out_of_range("no such threshold");
             };
             const auto times = [&](double threshold) { return ratio_of(at(threshold), at(1.0), study.executions); };
             claims.push_back({std::string(report_scenes[k][1]) + ", " + curve.kind.sequence,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
+#include <limits>
 
 namespace curve_test {
 
@@ -96,6 +97,9 @@ TEST_CASE("a least error outside of the ratios, or fewer than three of them, giv
     CHECK(!fit_ratio(points)); // the least is at 0.1
     points.push_back(point_at(0.05, 1.0, 100.0));
     CHECK(fit_ratio(points));
+    points.push_back(point_at(1.0, 1.0, 100.0));
+    points.back().setting = std::numeric_limits<double>::infinity(); // the pilot took no global lines
+    CHECK(fit_ratio(points)->best() == doctest::Approx(0.1));
     points[1].above_reference = points[2].above_reference = false;
     CHECK(!fit_ratio(points));
 }
