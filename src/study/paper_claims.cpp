@@ -191,8 +191,9 @@ std::vector<Claim> ratio_claims(const PaperFindings& f, const std::string& rule)
         for (const Curve& curve : f.study("ratio-" + std::string(name)).curves) {
             Claim claim = {std::string(title) + ", " + curve.kind.method + ", " + curve.kind.sequence, "–", "–",
                            Verdict::undecided};
-            const auto chosen = std::find_if(curve.points.begin(), curve.points.end(),
-                                             [&](const CurvePoint& point) { return point.rule == rule; });
+            const auto chosen = std::find_if(curve.points.begin(), curve.points.end(), [&](const CurvePoint& point) {
+                return point.rule == rule && std::isfinite(point.setting);
+            });
             if (const std::optional<RatioLaw>& law = curve.ratio_law; law && chosen != curve.points.end()) {
                 const Estimate error = error_over_least(chosen->setting, *law);
                 claim.expected = interval_words(best_ratio(*law));

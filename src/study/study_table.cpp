@@ -52,7 +52,7 @@ std::string ratio_law_text(const Curve& curve)
     std::string text = format("  least error %.4e at ratio %s by a fitted curve, with the 95 %% interval\n",
                               law.at(law.best()), interval_words(best_ratio(law)).c_str());
     for (const CurvePoint& point : curve.points)
-        if (!point.rule.empty())
+        if (!point.rule.empty() && std::isfinite(point.setting))
             text += format("  at the ratio %.3g of %s: %s times the least\n", point.setting, rule_words(point.rule),
                            interval_words(error_over_least(point.setting, law)).c_str());
     return text;
