@@ -124,7 +124,9 @@ private:
     std::string kind_;
     int dimensions_;
     std::array<std::uint64_t, sobol::dimensions> keys_{}; ///< of the scrambling, or the shift of all points
-    std::array<std::array<std::uint64_t, 4>, sobol::index_bits> steps_; ///< the first direction numbers, bit by bit
+    /// The first direction numbers, bit by bit. Aligned, since a step across two cache lines costs a third of the
+    /// speed.
+    alignas(32) std::array<std::array<std::uint64_t, 4>, sobol::index_bits> steps_;
 };
 
 } // namespace
