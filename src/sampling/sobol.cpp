@@ -86,7 +86,7 @@ public:
     {
         for (std::size_t d = 0; d < keys_.size(); ++d)
             keys_[d] = request.random_bits_of(d);
-        for (std::size_t bit = 0; bit < steps_.size(); ++bit)
+        for (std::size_t bit = 0; bit < sobol::index_bits; ++bit)
             for (std::size_t d = 0; d < 4; ++d)
                 steps_[bit][d] = walking(sobol::direction_numbers()[d][bit]);
     }
@@ -107,7 +107,7 @@ public:
         for (Item& item : items) {
             for (std::size_t d = 0; d < 4; ++d)
                 item[d] = finished(bits[d], d);
-            const std::array<std::uint64_t, 4>& step = steps_[lowest_zero(n++) % sobol::index_bits];
+            const std::array<std::uint64_t, 4>& step = steps_[lowest_zero(n++)];
             for (std::size_t d = 0; d < 4; ++d)
                 bits[d] ^= step[d];
         }
@@ -124,9 +124,9 @@ private:
     std::string kind_;
     int dimensions_;
     std::array<std::uint64_t, sobol::dimensions> keys_{}; ///< of the scrambling, or the shift of all points
-    /// The first direction numbers, bit by bit. Aligned, since a step across two cache lines costs a third of the
-    /// speed.
-    alignas(32) std::array<std::array<std::uint64_t, 4>, sobol::index_bits> steps_;
+    /// The first direction numbers, bit by bit; the last is that after the last point. Aligned, since a step across two
+    /// cache lines costs a third of the speed.
+    alignas(32) std::array<std::array<std::uint64_t, 4>, sobol::index_bits + 1> steps_{};
 };
 
 } // namespace
