@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -163,20 +162,23 @@ void join_borders(const Scene& scene, const std::vector<Vec3>& normals, const st
         if (group.on_border)
             order.emplace_back(border_key(scene, group), group.slots.front(), &group);
     std::sort(order.begin(), order.end());
-    std::vector<std::vector<const CornerGroup*>> coinciding;
-    std::uint64_t key_before = 0;
-    for (const auto& [key, slot, group] : order) {
-        if (coinciding.empty() || key != key_before)
-            coinciding.emplace_back();
-        coinciding.back().push_back(group);
-        key_before = key;
+    std::vector<std::pair<std::size_t, std::size_t>> runs; // first and end, in `order`, of groups that coincide
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (k == 0 || std::get<0>(order[k]) != std::get<0>(order[k - 1]))
+            runs.emplace_back(k, k);
+        runs.back().second = k + 1;
     }
     // By surface, for locality of memory access.
-    std::sort(coinciding.begin(), coinciding.end(),
-              [](const auto& a, const auto& b) { return a.front()->slots.front() < b.front()->slots.front(); });
-    parallel_numbers(static_cast<std::uint32_t>(coinciding.size()), threads, [&](std::uint32_t k) {
-        if (coinciding[k].size() <= most_joined)
-            join_coinciding(scene, normals, coinciding[k], corners);
+    const auto first_slot = [&order](const auto& run) { return std::get<1>(order[run.first]); };
+    std::sort(runs.begin(), runs.end(), [&](const auto& a, const auto& b) { return first_slot(a) < first_slot(b); });
+    parallel_numbers(static_cast<std::uint32_t>(runs.size()), threads, [&](std::uint32_t k) {
+        const auto [first, end] = runs[k];
+        if (end - first > most_joined)
+            return;
+        std::vector<const CornerGroup*> coinciding;
+        for (std::size_t n = first; n < end; ++n)
+            coinciding.push_back(std::get<2>(order[n]));
+        join_coinciding(scene, normals, coinciding, corners);
     });
 }
 
@@ -217,7 +219,7 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
         const auto count = static_cast<std::uint32_t>(sides.size());
         const std::uint32_t together = 1 + count / 256; // few, as surfaces differ in size
         parallel_ranges(count, together, threads, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t k = first; k < end; ++k)
+            for (std::uint32_t k = first; k < end; ++k) {
                 for (CornerGroup& group : corner_groups(patches, slopes, sides[k].first, sides[k].second)) {
                     if (regions.contains(group.surface))
                         group.value = regions.value(group).value_or(group.value);
@@ -225,9 +227,12 @@ std::vector<Rgb> corner_values(const VisiblePatches& patches, const std::vector<
                     if (group.edge || group.on_border)
                         found[k].push_back(std::move(group));
                 }
+                found[k].shrink_to_fit();
+            }
         });
         for (std::vector<CornerGroup>& of_side : found)
-            std::move(of_side.begin(), of_side.end(), std::back_inserter(groups));
+            for (CornerGroup& group : std::exchange(of_side, {})) // which frees them side by side
+                groups.push_back(std::move(group));
     };
     add(shown.empty() ? std::vector<char>(scene.surfaces().size(), 1) : shown);
     if (!shown.empty())
