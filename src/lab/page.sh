@@ -11,6 +11,7 @@ json_text() {
 rooms() {
     printf '{' && separator=
     for file in scenes/*.obj scenes/*.mtl; do
+        grep -q '^map_' "${file%.*}.mtl" && continue # the page holds no textures
         printf '%s"%s":' "$separator" "${file#scenes/}" && json_text "$file" && separator=,
     done
     echo '}'

@@ -40,8 +40,7 @@ right() {
     awk '/^mean radiosity/ { mini = $3 } /"mean_radiosity":/ { program = $2 + 0 }
         END { print "mean radiosity:", mini, "and", program; d = mini / program - 1; exit !(d * d < 1e-4) }' mini.txt out
 }
-for scene in "$root"/scenes/*.obj; do
-    scene=$(basename "$scene" .obj)
+for scene in 4chairs 4chairs-up 5cubes cornell cube furnace sphere squares; do # all but STUDIO: mini reads no textures
     check "$scene: its defaults give what the program gives, and what is right" right "$scene" extended 1000
 done
 for scene in 5cubes 4chairs-up; do
