@@ -192,7 +192,7 @@ $(BUILD)/%_fuzz: $(BUILD)/tests/fuzz/%_fuzz.o $(filter-out $(BUILD)/src/main.o,$
 PREFIX    ?= /usr/local
 place      = "$(DESTDIR)$(PREFIX)"
 documents  = README.md LICENSE $(sort $(shell find docs -type f))
-own        = $(patsubst %,share/multipath/%,$(wildcard scenes/*.obj scenes/*.mtl scenes/*/*.png)) $(documents:%=share/doc/multipath/%)
+own        = $(patsubst %,share/multipath/%,$(sort $(shell find scenes -type f))) $(documents:%=share/doc/multipath/%)
 lab_page   = $(wildcard $(BUILD)/lab.html)
 installed  = bin/$(notdir $(PROGRAM)) share/man/man1/multipath.1 $(own) $(lab_page:%=share/doc/multipath/lab.html)
 

@@ -771,20 +771,20 @@ def mug(model, place, material, yaw):
     model.lathe("mug", material, profile, 20, frame, {5: "soil"})
     # The handle: a bent bar of five pieces that ends in the side of the mug.
     middle, radius, thick = (0.0385, 0.047), 0.026, 0.005
-    ring = []
+    ring, across = [], steps(frame.vector((0, 0, -2 * thick)))
     for k in range(7):
         a = math.radians(-90 + 30 * k)
         x, y = middle[0] + radius * math.cos(a), middle[1] + radius * math.sin(a)
         dx, dy = thick * math.cos(a), thick * math.sin(a)
         inner, outer = (x - dx, y - dy), (x + dx, y + dy)
-        ring.append([inner + (thick,), outer + (thick,), outer + (-thick,), inner + (-thick,)])
-    points = [[steps(frame.point(p)) for p in section] for section in ring]
-    for a, b in zip(points, points[1:]):
+        near = [steps(frame.point(corner + (thick,))) for corner in (inner, outer)]
+        ring.append(near + [plus(corner, across) for corner in near[::-1]])
+    for a, b in zip(ring, ring[1:]):
         for k in range(4):
             n = (k + 1) % 4
             model.face("mug", material, [a[k], a[n], b[n], b[k]])
-    model.face("mug", material, points[0][::-1])
-    model.face("mug", material, points[-1])
+    model.face("mug", material, ring[0][::-1])
+    model.face("mug", material, ring[-1])
 
 
 def desk_lamp(model, place):

@@ -53,12 +53,13 @@ SolveOptions options_of(std::uint64_t lines)
     return options;
 }
 
-/// The walls of a room make one solid (seen from inside), everything else is one solid per group.
+/// The walls of a room make one solid (seen from inside), everything else is one solid, or a few, per group.
 std::string solid_of(const std::string& group)
 {
     const bool is_wall = group.size() > 5 && group.compare(group.size() - 5, 5, "_wall") == 0;
     const bool is_band = group.compare(0, 5, "north") == 0 || group.compare(0, 5, "south") == 0;
-    return is_wall || is_band || group == "floor" || group == "ceiling" ? "room" : group;
+    const bool is_attic = group == "slope" || group == "window_reveal" || group == "roof_reveal";
+    return is_wall || is_band || is_attic || group == "floor" || group == "ceiling" ? "room" : group;
 }
 
 /// By Gauss: both are integrals over the surface, and of a closed one the first is zero.
@@ -141,13 +142,14 @@ TEST_CASE("the bundled scenes have the faces, area and power that their measures
 // The area vectors of a closed surface add up to nothing; rounding in the coordinates cancels, as corners are shared.
 TEST_CASE("every solid of the bundled scenes is closed and looks outwards, every room inwards")
 {
-    for (const char* name : {"5cubes", "4chairs", "4chairs-up", "cornell", "cube", "furnace", "sphere"}) {
+    for (const char* name : {"5cubes", "4chairs", "4chairs-up", "cornell", "cube", "furnace", "sphere", "studio"}) {
         CAPTURE(name);
         for (const auto& named : solids_of(bundled(name))) {
             const std::string& solid_name = named.first;
             const Solid& solid = named.second;
             CAPTURE(solid_name);
-            const bool is_open = std::string(name) == "cornell" && solid_name == "room";
+            const bool is_open =
+                solid_name == "room" && (std::string(name) == "cornell" || std::string(name) == "studio");
             CHECK((length(solid.area_vector) < 1e-12) == !is_open);
             CHECK((solid.volume < 0.0) == (solid_name == "room"));
         }
