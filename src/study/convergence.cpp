@@ -167,17 +167,24 @@ CurvePoint mean_point(const StudyPlan& plan, const CurvePlan& curve, std::uint64
 {
     CurvePoint point{lines};
     const std::string name = curve_name(plan, curve);
+    const auto set_ratio = [&](CurvePoint& p) {
+        p.setting = curve.rule.empty() ? curve.setting : p.local_lines / p.global_lines;
+        p.rule = curve.rule;
+    };
+    for (int number = 0; number < plan.executions; ++number) {
+        point.executions.push_back(*journal.find(execution_name(name, lines, number)));
+        set_ratio(point.executions.back());
+    }
     for (double CurvePoint::*value : {&CurvePoint::local_lines, &CurvePoint::global_lines, &CurvePoint::mean_square,
                                       &CurvePoint::relative, &CurvePoint::seconds}) {
         RunningMean mean;
-        for (int number = 0; number < plan.executions; ++number)
-            mean.add((*journal.find(execution_name(name, lines, number))).*value);
+        for (const CurvePoint& execution : point.executions)
+            mean.add(execution.*value);
         point.*value = mean.mean();
         if (value == &CurvePoint::relative && plan.executions > 1)
             point.relative_error = mean.standard_error();
     }
-    point.setting = curve.rule.empty() ? curve.setting : point.local_lines / point.global_lines;
-    point.rule = curve.rule;
+    set_ratio(point);
     return point;
 }
 
@@ -200,7 +207,7 @@ std::vector<Curve> mean_curves(const StudyPlan& plan, const Reference& reference
         if (plan.varied == Abscissa::lines)
             curve.law = fit(curve.points); // (2)
         if (plan.varied == Abscissa::ratio)
-            curve.ratio_law = fit_ratio(curve.points);
+            curve.ratios = ratio_findings(curve.points);
     }
     return curves;
 }

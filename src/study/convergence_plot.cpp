@@ -106,9 +106,10 @@ PlottedCurve plotted_curve(const Curve& curve, Abscissa against, std::size_t ser
         result.words = law ? "slope " + slope_words(law) : "no slope";
         if (law && !fitted.empty())
             result.line = line_of(*law, fitted, 1);
-    } else if (curve.ratio_law) {
-        result.words = "least at " + interval_words(best_ratio(*curve.ratio_law));
-        result.line = line_of(*curve.ratio_law, fitted, 64);
+    } else if (curve.ratios) {
+        result.words = "least at " + interval_words(curve.ratios->best);
+        if (curve.ratios->law)
+            result.line = line_of(*curve.ratios->law, fitted, 64);
     }
     return result;
 }

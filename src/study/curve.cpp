@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -103,59 +104,123 @@ std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa agai
     return fit_power_law(xs, errors);
 }
 
-// With u = 1 + 1 / ratio and v = 1 + ratio in units of the measured error, the law is local u + global v = 1 at every
-// point: two unknowns, by least squares.
-std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points)
+// All fits are linear in the errors of an execution, since the weights are those of the mean errors. So the law of the
+// mean error is the mean of the laws, and if the law holds the constant has the mean 0.
+
+namespace {
+
+constexpr double tail = 0.05; // of intervals and tests, both sides
+
+/// The law of execution k, by least squares: local u + global v = error / mean at every point, with
+/// u = (1 + 1 / ratio) / mean and v = (1 + ratio) / mean.
+RatioLaw fit_law(const std::vector<CurvePoint>& points, std::size_t k)
 {
-    std::set<double> ratios;
     double uu = 0.0;
     double uv = 0.0;
     double vv = 0.0;
-    double u1 = 0.0; // right-hand sides
-    double v1 = 0.0;
-    RatioLaw law;
+    double ue = 0.0; // right-hand sides
+    double ve = 0.0;
     for (const CurvePoint& point : points) {
-        if (!point.above_reference || !(point.setting > 0.0 && point.relative > 0.0) || !std::isfinite(point.setting))
-            continue;
-        const double u = (1.0 + 1.0 / point.setting) / point.relative;
-        const double v = (1.0 + point.setting) / point.relative;
+        const CurvePoint& execution = point.executions[k];
+        const double u = (1.0 + 1.0 / execution.setting) / point.relative;
+        const double v = (1.0 + execution.setting) / point.relative;
         uu += u * u;
         uv += u * v;
         vv += v * v;
-        u1 += u;
-        v1 += v;
-        ++law.points;
-        ratios.insert(point.setting);
+        ue += u * execution.relative / point.relative;
+        ve += v * execution.relative / point.relative;
     }
     const double determinant = uu * vv - uv * uv;
-    if (ratios.size() < 3)
-        return {};
-    law.local = (vv * u1 - uv * v1) / determinant;
-    law.global = (uu * v1 - uv * u1) / determinant;
-    if (!(law.local > 0.0 && law.global > 0.0) || law.best() < *ratios.begin() || law.best() > *ratios.rbegin())
-        return {};
-    const double scatter = std::max(0.0, law.points - law.local * u1 - law.global * v1) / (law.points - 2);
-    law.log_error = 0.5 * std::sqrt(scatter / determinant *
-                                    (vv / (law.local * law.local) + uu / (law.global * law.global) +
-                                     2.0 * uv / (law.local * law.global)));
-    return law;
+    return {(vv * ue - uv * ve) / determinant, (uu * ve - uv * ue) / determinant};
 }
 
-Estimate best_ratio(const RatioLaw& law)
+/// exp of the mean and the interval of the jackknife's pseudo-values. `logarithm` of k: from all executions but k; of
+/// their number: from all.
+template <class Logarithm>
+Estimate jackknife(std::size_t executions, const Logarithm& logarithm)
 {
-    constexpr double tail = 0.05; // beyond either end of the interval
-    const double factor = elementary::exp(student_quantile(tail, law.points - 2) * law.log_error);
-    return {law.best(), law.best() / factor, law.best() * factor};
+    const double all = logarithm(executions);
+    if (executions < 2)
+        return {elementary::exp(all), 0.0, std::numeric_limits<double>::infinity()};
+    RunningMean mean;
+    for (std::size_t k = 0; k < executions; ++k)
+        mean.add(all + static_cast<double>(executions - 1) * (all - logarithm(k)));
+    const double half = student_quantile(tail, static_cast<int>(executions) - 1) * mean.standard_error();
+    return {elementary::exp(mean.mean()), elementary::exp(mean.mean() - half), elementary::exp(mean.mean() + half)};
 }
 
-Estimate error_over_least(double ratio, const RatioLaw& law)
+} // namespace
+
+std::optional<RatioFindings> ratio_findings(const std::vector<CurvePoint>& points)
 {
-    const auto if_least_at = [&](double best) {
-        return (best * best * (1.0 + 1.0 / ratio) + 1.0 + ratio) / ((1.0 + best) * (1.0 + best));
+    std::vector<CurvePoint> used;
+    std::set<double> ratios;
+    for (const CurvePoint& point : points)
+        if (point.above_reference && point.relative > 0.0 && point.setting > 0.0 && std::isfinite(point.setting)) {
+            used.push_back(point);
+            ratios.insert(point.setting);
+        }
+    if (used.size() < 4 || ratios.size() < 3)
+        return {};
+    const std::size_t count = used[0].executions.size();
+    std::vector<RatioLaw> laws;
+    RunningMean constant; // beside the two terms of the law, but for a positive factor
+    for (std::size_t k = 0; k < count; ++k) {
+        laws.push_back(fit_law(used, k));
+        double sum = 0.0;
+        for (const CurvePoint& p : used)
+            sum += (p.executions[k].relative - laws[k].at(p.executions[k].setting)) / (p.relative * p.relative);
+        constant.add(sum);
+    }
+    RatioFindings found;
+    if (count > 1 && constant.standard_error() > 0.0)
+        found.probability =
+            student_tail(std::abs(constant.mean()) / constant.standard_error(), static_cast<int>(count) - 1);
+    const bool holds =
+        found.probability.value_or(1.0) >= tail && std::all_of(laws.begin(), laws.end(), [&](const RatioLaw& law) {
+            return law.local > 0.0 && law.global > 0.0 && law.best() > *ratios.begin() && law.best() < *ratios.rbegin();
+        });
+
+    const auto mean_but = [&](std::size_t but, const auto& value) { // of all executions but one
+        RunningMean mean;
+        for (std::size_t k = 0; k < count; ++k)
+            if (k != but)
+                mean.add(value(k));
+        return mean.mean();
     };
-    const Estimate best = best_ratio(law);
-    const auto [least, largest] = std::minmax({if_least_at(best.low), if_least_at(best.high)});
-    return {if_least_at(best.value), ratio > best.low && ratio < best.high ? 1.0 : least, largest};
+    const auto law_but = [&](std::size_t but) -> RatioLaw {
+        return {mean_but(but, [&](std::size_t k) { return laws[k].local; }),
+                mean_but(but, [&](std::size_t k) { return laws[k].global; })};
+    };
+    const auto error_at = [&](const CurvePoint& point, std::size_t but) {
+        return mean_but(but, [&](std::size_t k) {
+            const CurvePoint& execution = point.executions[k];
+            return holds ? laws[k].at(execution.setting) : execution.relative;
+        });
+    };
+    const CurvePoint& lowest = *std::min_element(
+        used.begin(), used.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.relative < b.relative; });
+    const auto least = [&](std::size_t but) {
+        return holds ? law_but(but).at(law_but(but).best()) : error_at(lowest, but);
+    };
+    found.least = least(count);
+    found.best = {lowest.setting, 0.0, std::numeric_limits<double>::infinity()};
+    if (holds) {
+        found.law = law_but(count);
+        found.best = jackknife(count, [&](std::size_t but) { return elementary::log(law_but(but).best()); });
+    }
+    const auto pilot =
+        std::find_if(used.begin(), used.end(), [](const CurvePoint& point) { return point.rule == "measured"; });
+    for (const CurvePoint& point : used)
+        if (!point.rule.empty()) {
+            found.loss[point.rule] =
+                jackknife(count, [&](std::size_t but) { return elementary::log(error_at(point, but) / least(but)); });
+            if (point.rule == "auto" && pilot != used.end())
+                found.formula_over_pilot = jackknife(count, [&](std::size_t but) {
+                    return elementary::log(error_at(point, but) / error_at(*pilot, but));
+                });
+        }
+    return found;
 }
 
 } // namespace multipath

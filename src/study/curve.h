@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,14 +35,12 @@ double exponent_interval(const PowerLaw& law);
 /// global / N_g with N_l + N_g = N.
 struct RatioLaw
 {
-    double local = 0.0;     ///< [1] relative MSE of N local lines for which the global lines are exact
-    double global = 0.0;    ///< [1] the same of N global lines
-    double log_error = 0.0; ///< standard error of the natural logarithm of best()
-    int points = 0;         ///< number of points that the law was fitted to
+    double local = 0.0;  ///< [1] relative MSE of N local lines for which the global lines are exact
+    double global = 0.0; ///< [1] the same of N global lines
 
     /// The relative MSE at this ratio N_l / N_g > 0.
     double at(double ratio) const { return local * (1.0 + 1.0 / ratio) + global * (1.0 + ratio); }
-    /// The ratio with the least error.
+    /// The ratio with the least error. Both parts must be above 0.
     double best() const;
 };
 
@@ -70,6 +69,8 @@ struct CurvePoint
     double setting = 0.0;  ///< [1] what the study varies beside the lines: N_l / N_g, infinite without global lines,
                            ///< or the threshold over (4)
     std::string rule = {}; ///< what chose the ratio, as --ratio names it; empty: the study
+    /// The numbers of each execution; without the parts that are only for means. Empty for a curve that was read.
+    std::vector<CurvePoint> executions = {};
     /// True if the fit uses this point: the error of the reference is small beside the error of the point, or unknown.
     bool above_reference = true;
 };
@@ -88,10 +89,6 @@ double abscissa(const CurvePoint& point, Abscissa against);
 /// above 0.
 std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa against = Abscissa::lines);
 
-/// Fits the law to `relative` against the setting, with equal weight of relative deviations, for the points with
-/// above_reference. Nothing for fewer than three different ratios, or if the least error is at none of them.
-std::optional<RatioLaw> fit_ratio(const std::vector<CurvePoint>& points);
-
 /// A number with its 95 % confidence interval, which is infinite if the uncertainty is unknown.
 struct Estimate
 {
@@ -100,18 +97,34 @@ struct Estimate
     double high;
 };
 
-/// The ratio at which a law has its least error.
-Estimate best_ratio(const RatioLaw& law);
+/// What the executions of a study of the ratio say. They are independent of each other, but all points of one execution
+/// have the same lines, divided differently. So intervals and the test come from the scatter among the executions.
+struct RatioFindings
+{
+    /// [1] Probability, if the law holds, that a constant beside its two terms is as far from 0 as in these executions
+    /// (Student's t); nothing with one execution.
+    std::optional<double> probability;
+    /// The law of the mean error; nothing if the probability is below 5 %, or the least error of an execution at none
+    /// of the ratios. `least` and what follows from it then are those of the least measured point.
+    std::optional<RatioLaw> law;
+    double least = 0.0;                         ///< [1] the least relative MSE
+    Estimate best = {};                         ///< its ratio; without a law, no interval
+    std::map<std::string, Estimate> loss;       ///< [1] by CurvePoint::rule: its relative MSE over the least
+    std::optional<Estimate> formula_over_pilot; ///< [1] relative MSE of (3) over that of the pilot, of both rules
+};
 
-/// [1] Error at a ratio > 0 over the least error of the law.
-Estimate error_over_least(double ratio, const RatioLaw& law);
+/// Fits the law to each execution, with equal weight of deviations relative to the means, for the points with
+/// above_reference and global lines. Estimates and intervals are means over the jackknife's pseudo-values of the
+/// executions, in logarithms (Tukey 1958; Efron, The Jackknife, 1982, chapter 3), with Student's t. Nothing for fewer
+/// than four points with three different ratios.
+std::optional<RatioFindings> ratio_findings(const std::vector<CurvePoint>& points);
 
 struct Curve
 {
     CurveKind kind;
-    std::vector<CurvePoint> points;         ///< in order of increasing numbers of lines, or of what the study varies
-    std::optional<PowerLaw> law;            ///< fit(points)
-    std::optional<RatioLaw> ratio_law = {}; ///< fit_ratio(points), if the study varies the ratio
+    std::vector<CurvePoint> points;           ///< in order of increasing numbers of lines, or of what the study varies
+    std::optional<PowerLaw> law;              ///< fit(points)
+    std::optional<RatioFindings> ratios = {}; ///< ratio_findings(points), if the study varies the ratio
 };
 
 /// The result of a convergence study: how the error of several methods falls with the number of lines.

@@ -194,9 +194,13 @@ std::vector<Claim> ratio_claims(const PaperFindings& f, const std::string& rule)
             const auto chosen = std::find_if(curve.points.begin(), curve.points.end(), [&](const CurvePoint& point) {
                 return point.rule == rule && std::isfinite(point.setting);
             });
-            if (const std::optional<RatioLaw>& law = curve.ratio_law; law && chosen != curve.points.end()) {
-                const Estimate error = error_over_least(chosen->setting, *law);
-                claim.expected = interval_words(best_ratio(*law));
+            if (const std::optional<RatioFindings>& ratios = curve.ratios;
+                ratios && chosen != curve.points.end() && ratios->loss.count(rule) > 0) {
+                const Estimate& error = ratios->loss.at(rule);
+                const bool compares = rule == "measured" && ratios->formula_over_pilot;
+                claim.expected =
+                    compares ? interval_words(*ratios->formula_over_pilot)
+                             : interval_words(ratios->best) + (ratios->law ? "" : ", measured") + fit_words(*ratios);
                 claim.found = fixed(chosen->setting, 2) + ": " + interval_words(error);
                 claim.verdict = between(error, 0.0, 1.03);
             }

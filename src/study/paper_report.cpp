@@ -165,16 +165,22 @@ public:
     {
         heading(2, "Open questions: the ratio of local to global lines");
         text("The paper asks for a better rule than (3). Here the number of lines is fixed and their division varies. "
-             "The curves a / N_l + b / N_g are fitted: they are exact for independent lines, and an approximation for "
-             "Sobol's. (3) expects that the lit patches hold equal unshot power (f, R_s'), and after an extended first "
-             "shot all patches. A pilot of the larger of 4,096 rays and two for each patch, at most a sixteenth of the "
-             "lines, shows a and b of the scene itself (V1) (V2); its rays are not counted here.");
+             "The curves a / N_l + b / N_g are fitted to each execution: they are exact for independent lines, and an "
+             "approximation for Sobol's, whose error falls faster. (3) expects that the lit patches hold equal unshot "
+             "power (f, R_s'), and after an extended first shot all patches. A pilot of the larger of 4,096 rays and "
+             "two for each patch, at most a sixteenth of the lines, shows a and b of the scene itself (V1) (V2); its "
+             "rays are not counted here.");
         scene_figures("ratio-", 4);
         const std::vector<Claim> formula = ratio_claims(f_, "auto");
         const std::vector<Claim> pilot = ratio_claims(f_, "measured");
         claim_table({"by (3)", "least error at", "ratio: error over the least", "at most 3 % more"}, formula);
-        claim_table({"by a pilot", "least error at", "ratio: error over the least", "at most 3 % more"}, pilot);
-        text("In brackets the 95 % intervals of the fits, whose points are the same lines divided differently. That "
+        claim_table({"by a pilot", "error of (3) over the pilot's", "ratio: error over the least", "at most 3 % more"},
+                    pilot);
+        text("All points of an execution are the same lines divided differently. So the intervals in brackets (95 %) "
+             "are Student's t over the executions (jackknife), and (3) and the pilot are compared execution by "
+             "execution. p is the probability, if the law holds, that a constant beside a / N_l + b / N_g is as far "
+             "from 0 as here (t test over the executions). Where p is below 0.05, or the least error of an execution "
+             "is at none of the ratios, the law is given up, and the least measured point is taken (“measured”). That "
              "its error is at most 3 % above the least holds for (3) in " +
              count_that_hold(formula) + ", for the pilot in " + count_that_hold(pilot) + " cases.");
         heading(2, "A question of ours: the threshold");

@@ -43,18 +43,21 @@ std::string point_text(const Study& study, const CurvePoint& point)
                   point.rule.empty() ? "" : format("  by %s", rule_words(point.rule)).c_str());
 }
 
-/// The least error of the law, and the error of each rule as a multiple of it.
-std::string ratio_law_text(const Curve& curve)
+/// The least error, and the error of each rule as a multiple of it.
+std::string ratios_text(const Curve& curve)
 {
-    if (!curve.ratio_law)
-        return "  least error: at an end of the range, or too few points\n";
-    const RatioLaw& law = *curve.ratio_law;
-    std::string text = format("  least error %.4e at ratio %s by a fitted curve, with the 95 %% interval\n",
-                              law.at(law.best()), interval_words(best_ratio(law)).c_str());
+    if (!curve.ratios)
+        return "  least error: too few points\n";
+    const RatioFindings& found = *curve.ratios;
+    std::string text =
+        format("  least error %.4e at ratio %s %s%s\n", found.least, interval_words(found.best).c_str(),
+               found.law ? "by a fitted curve, with the 95 % interval" : "as measured", fit_words(found).c_str());
     for (const CurvePoint& point : curve.points)
-        if (!point.rule.empty() && std::isfinite(point.setting))
+        if (const auto loss = found.loss.find(point.rule); loss != found.loss.end())
             text += format("  at the ratio %.3g of %s: %s times the least\n", point.setting, rule_words(point.rule),
-                           interval_words(error_over_least(point.setting, law)).c_str());
+                           interval_words(loss->second).c_str());
+    if (found.formula_over_pilot)
+        text += format("  (3) over pilot: %s times its error\n", interval_words(*found.formula_over_pilot).c_str());
     return text;
 }
 
@@ -83,7 +86,14 @@ std::string slope_words(const std::optional<PowerLaw>& law)
 
 std::string interval_words(const Estimate& estimate)
 {
+    if (estimate.low == 0.0 && std::isinf(estimate.high))
+        return format("%.2f", estimate.value);
     return format("%.2f (%.2f to %.2f)", estimate.value, estimate.low, estimate.high);
+}
+
+std::string fit_words(const RatioFindings& found)
+{
+    return found.probability ? format("; p = %.2f", *found.probability) : "";
 }
 
 std::string curve_label(const Study& study, const Curve& curve)
@@ -114,7 +124,7 @@ std::string study_text(const Study& study)
         if (study.varied == Abscissa::lines)
             text += "  " + law_text(curve);
         if (study.varied == Abscissa::ratio)
-            text += ratio_law_text(curve);
+            text += ratios_text(curve);
     }
     return text;
 }

@@ -15,8 +15,11 @@ std::string fixed(double value, int decimals);
 /// Formats the slope of a law and half the width of its 95 % interval: "−1.100 ± 0.020". "none" if there is no law.
 std::string slope_words(const std::optional<PowerLaw>& law);
 
-/// Formats a number with its interval: "0.96 (0.93 to 1.00)".
+/// Formats a number with its interval: "0.96 (0.93 to 1.00)"; without one that is unknown.
 std::string interval_words(const Estimate& estimate);
+
+/// Formats the probability of the law: "; p = 0.40". Empty if it is unknown.
+std::string fit_words(const RatioFindings& found);
 
 /// Label of a curve: method and sequence, such as "first-shot, sobol"; for the curve of another program only the name.
 /// Pairing, chords and line order are each appended if another curve of the same method differs in it.

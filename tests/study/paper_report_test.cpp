@@ -64,8 +64,8 @@ Study shots_study(double first_shot, double extended, double local)
     return study;
 }
 
-/// A curve over the ratio with its least error at `best`; (3) chooses `formula`, the pilot the best. Of even points one
-/// is 1 % above its law, of odd ones 1 % below.
+/// A curve over the ratio with its least error at `best`, from three executions; (3) chooses `formula`, the pilot the
+/// best. Of even points one execution is 1 % above its law, of odd ones another 1 % below, so that the law holds.
 Curve ratio_curve(const char* method, double best, double formula)
 {
     Curve curve{kind(method, "random"), {}, {}};
@@ -73,11 +73,17 @@ Curve ratio_curve(const char* method, double best, double formula)
         CurvePoint point;
         point.setting = k < 5 ? std::exp2(k) : k == 5 ? formula : best;
         point.rule = k < 5 ? "" : k == 5 ? "auto" : "measured";
-        point.relative = (best * best * (1.0 + 1.0 / point.setting) + 1.0 + point.setting) * (k % 2 == 0 ? 1.01 : 0.99);
+        point.relative = best * best * (1.0 + 1.0 / point.setting) + 1.0 + point.setting;
         point.relative_error = 0.01 * point.relative;
+        for (const double off : {-0.01, 0.0, 0.01}) {
+            CurvePoint execution = point;
+            execution.executions.clear();
+            execution.relative *= 1.0 + (k % 2 == 0 ? off : -off);
+            point.executions.push_back(execution);
+        }
         curve.points.push_back(point);
     }
-    curve.ratio_law = fit_ratio(curve.points);
+    curve.ratios = ratio_findings(curve.points);
     return curve;
 }
 
@@ -350,10 +356,13 @@ TEST_CASE("a rule holds within 3 % of the least error, and is undecided where th
     CHECK(formula[0].verdict == Verdict::holds);
     CHECK(formula[1].verdict == Verdict::differs);
     CHECK(formula[1].found.rfind("1.00: 1.44", 0) == 0);
-    for (const Claim& claim : ratio_claims(f, "measured"))
+    CHECK(formula[1].expected.rfind("5.0", 0) == 0);
+    const std::vector<Claim> pilot = ratio_claims(f, "measured");
+    for (const Claim& claim : pilot)
         CHECK(claim.verdict == Verdict::holds);
-    f.studies["ratio-cornell"].curves[1].ratio_law->log_error = 2.0;
-    f.studies["ratio-cornell"].curves[0].ratio_law.reset();
+    CHECK(pilot[1].expected.rfind("1.44 (", 0) == 0); // (3) over the pilot, which has the least error
+    f.studies["ratio-cornell"].curves[1].ratios->loss["auto"] = {1.01, 1.0, 1.05};
+    f.studies["ratio-cornell"].curves[0].ratios.reset();
     formula = ratio_claims(f, "auto");
     CHECK(formula[6].verdict == Verdict::undecided);
     CHECK(formula[7].verdict == Verdict::undecided);
