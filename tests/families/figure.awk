@@ -14,7 +14,7 @@ NR > 1 && $1 == family && $5 == lines {
     if (!($6 in number)) { number[$6] = methods; method[methods++] = $6 }
 }
 END {
-    split("#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #000000 #888888", colour, " ")
+    split("#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #000000 #888888 #882255 #44aa99", colour, " ")
     top = 1
     for (k = 0; k < sizes; ++k) {
         s = size[k]; n = nearest[s]

@@ -46,6 +46,7 @@ function show(    k, first, second) {
     first = second = -1
     for (k = 0; k < count; ++k) {
         of[name[k]] = cost[k]
+        if (name[k] ~ /-(pilot|raw)$/) continue # a method with another option
         if (first < 0 || cost[k] < cost[first]) { second = first; first = k }
         else if (second < 0 || cost[k] < cost[second]) second = k
     }
@@ -54,4 +55,5 @@ function show(    k, first, second) {
     cell[room, efforts[room]] = sprintf("%s (%s %.3g)", name[first], name[second], cost[second] / cost[first])
     for (k = 0; k < count; ++k) if (name[k] != "extended") compare(name[k], "extended")
     compare("gathering", "local")
+    if ("reuse-raw" in of) compare("reuse-raw", "reuse")
 }

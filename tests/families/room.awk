@@ -2,8 +2,25 @@
 #   awk -v family=furniture -v size=100 -v out=room.obj -f room.awk
 # Families and what `size` counts: furniture (boxes on the floor), building (rooms joined by doors, every second one with
 # a lamp), pillars (of a hall; 16, 64, 256, ...), courtyard (boxes between walls under an open sky), lamps (of a ceiling; together as large
-# as one). Units are metres. `up=1` turns the lamps of `furniture` to the ceiling, `white=0.9` sets the reflectance.
+# as one). Units are metres. `up=1` turns the lamps of `furniture` to the ceiling, `white=0.9` sets the reflectance,
+# `seed=2` makes other boxes. The same rooms with every awk.
 
+# Next number in (0, 1): Park and Miller's generator with the multiplier 48271, Communications of the ACM 36 (1993), p.
+# 108. All products are below 2^53, thus exact.
+function next_number() {
+    state = state * 48271 % 2147483647
+    return state / 2147483647
+}
+# The square root by Newton's method; sqrt() is missing in some builds of busybox.
+function root(x,    r, k) {
+    r = x
+    for (k = 0; k < 50; ++k) r = (r + x / r) / 2
+    return r
+}
+function upper_root(count,    r) {
+    while (r * r < count) ++r
+    return r
+}
 function vertex(x, y, z) { print "v", x, y, z > out; return ++vertices }
 # A face whose front is where a, b, c, d run anticlockwise.
 function face(material, a, b, c, d) {
@@ -29,7 +46,7 @@ function side(material, inner, a, b, c, d) {
 # A thin box under the ceiling that emits below, or above with up = 1.
 function lamp(x, y, z, edge) { box("wall", x, y, z, edge, 0.02, edge, 0, 0, up ? "" : "light", up ? "light" : "") }
 function lamps(count, x, z, wide, deep, y, edge,    k, across, step_x, step_z) {
-    across = int(sqrt(count) + 0.9999)
+    across = upper_root(count)
     step_x = wide / across; step_z = deep / across
     for (k = 0; k < count; ++k)
         lamp(x + (k % across + 0.5) * step_x - edge / 2, y, z + (int(k / across) + 0.5) * step_z - edge / 2, edge)
@@ -37,12 +54,12 @@ function lamps(count, x, z, wide, deep, y, edge,    k, across, step_x, step_z) {
 # Boxes on the floor, each somewhere in a cell of its own.
 function boxes(count, x, z, wide, deep, highest,    k, across, cell_x, cell_z, a, c) {
     if (count == 0) return
-    across = int(sqrt(count) + 0.9999)
+    across = upper_root(count)
     cell_x = wide / across; cell_z = deep / across
     for (k = 0; k < count; ++k) {
-        a = cell_x * (0.2 + 0.4 * rand()); c = cell_z * (0.2 + 0.4 * rand())
-        box("thing", x + (k % across) * cell_x + (cell_x - a) * (0.05 + 0.9 * rand()), 0.001,
-            z + int(k / across) * cell_z + (cell_z - c) * (0.05 + 0.9 * rand()), a, highest * (0.2 + 0.8 * rand()), c)
+        a = cell_x * (0.2 + 0.4 * next_number()); c = cell_z * (0.2 + 0.4 * next_number())
+        box("thing", x + (k % across) * cell_x + (cell_x - a) * (0.05 + 0.9 * next_number()), 0.001,
+            z + int(k / across) * cell_z + (cell_z - c) * (0.05 + 0.9 * next_number()), a, highest * (0.2 + 0.8 * next_number()), c)
     }
 }
 # A wall between two rooms of the building, from (x, z) along one axis, with a door of 1 m by 2.1 m in its middle. Where
@@ -57,7 +74,8 @@ function part(material, x, z, along_x, from, to, low, high) {
     else box(material, x - thick / 2, low, z + from, thick, high - low, to - from)
 }
 BEGIN {
-    srand(1)
+    state = seed ? seed : 1
+    for (k = 0; k < 16; ++k) next_number() # small seeds begin with small numbers
     thick = 0.1
     if (white == "") white = 0.6
     materials = out
@@ -72,7 +90,7 @@ BEGIN {
         boxes(size, 0, 0, 6, 6, 1.2)
         lamps(1, 0, 0, 6, 6, up ? 2.5 : 2.95, 1)
     } else if (family == "building") {
-        across = int(sqrt(size) + 0.9999)
+        across = upper_root(size)
         rows = int((size + across - 1) / across)
         box("wall", 0, 0, 0, 4 * across, 3, 4 * rows, 1)
         for (i = 0; i < across; ++i)
@@ -84,10 +102,10 @@ BEGIN {
             }
     } else if (family == "pillars") {
         box("wall", 0, 0, 0, 20, 5, 20, 1)
-        across = int(sqrt(size) + 0.9999)
+        across = upper_root(size)
         for (k = 0; k < size; ++k)
             box("thing", (k % across + 0.35) * 20 / across, 0, (int(k / across) + 0.35) * 20 / across, 6 / across, 5, 6 / across)
-        edge = across > 12 ? 6 / across : 0.5
+        edge = 6 / 32 # fits between 1,024 pillars
         for (k = 0; k < 9; ++k) # above the aisles
             lamp(5 * (k % 3 + 1) - edge / 2, 4.9, 5 * (int(k / 3) + 1) - edge / 2, edge)
     } else if (family == "courtyard") {
@@ -96,7 +114,7 @@ BEGIN {
     } else if (family == "lamps") {
         box("wall", 0, 0, 0, 10, 3, 10, 1)
         boxes(20, 0, 0, 10, 10, 1.5)
-        lamps(size, 0, 0, 10, 10, 2.95, 1 / sqrt(size))
+        lamps(size, 0, 0, 10, 10, 2.95, 1 / root(size))
     } else {
         print "no family is called " family | "cat 1>&2"
         exit 2
