@@ -26,7 +26,7 @@ HTML
 
 # The functions of viewer_looks.js that look at each page of a run of the browser, which takes seconds to start.
 rooms="{ '5cubes': [patches_found, picture_compared, first_view, click_on_patch, lines_traced, quantities_shown, \
-    keys_pressed, view_saved, names_of_controls], sphere: [patches_found, picture_compared], sided: [patches_found, picture_compared], \
+    keys_pressed, room_kept, view_saved, names_of_controls], sphere: [patches_found, picture_compared], sided: [patches_found, picture_compared], \
     textured: [patches_found, picture_compared], far: [patches_found, picture_compared, view_saved] }"
 chairs="{ '4chairs': [first_view] }"
 
@@ -143,18 +143,25 @@ clicked() { look 5cubes click_on_patch && holds 'selected == expected && shown =
 check "a click shows the patch in the panel and marks it; a drag does not" clicked
 
 trace() {
-    look 5cubes lines_traced && holds 'lines == 200 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
+    look 5cubes lines_traced && holds 'unlike == 0 && skipped > 0 && misnumbered == 0 && lines + skipped == 200 && line == 5 && rows > 0 && darker < 0 && moved > 0' &&
         holds 'power_first > 0 && power_later > power_first && power_again == power_first && notes == 2' &&
         holds 'trace_legend == 0 && later_legend == 1' # the trace is shown in light
 }
-check "the lines of the method can be stepped through, and power arrives" trace
+check "the lines of the method that meet something can be stepped through, and power arrives" trace
 
 shown() { look 5cubes quantities_shown && holds 'direct < 0 - 5 && unlike > 20 && legend == 1 && numbers > 2 && gone == 0 && brighter > 10 && borders > 0'; }
 check "other quantities, the exposure and the borders of patches change the picture" shown
 
 # How many frames the browser shows is its own affair: what is asked for is the step that a tap makes.
-moved() { look 5cubes keys_pressed && holds 'walked > 0.0005 && orbited > 0.01 && kept < 0.000001 && nearer < 1 && home == 0 && help == 1 && folded == 1'; }
+moved() { look 5cubes keys_pressed && holds 'walked > 0.0005 && orbited > 0.01 && kept < 0.000001 && nearer < 1 && home == 0 && outside == 1 && all > 0.1 && all < 0.9 && help == 1 && folded == 1'; }
 check "keys, wheel and drags move the camera" moved
+
+# A quarter of the height is at least a fiftieth of the picture; a box at the middle of the picture a hundredth.
+kept() {
+    look 5cubes room_kept && holds 'far > 0.02 && far < 0.2 && walked > 0.3 && within == 1' &&
+        awk '/^(shifted|looked|orbited) / { ++n; if ($2 < 0.01) exit bad = 1 } END { exit bad || n != 12 }' seen || { cat seen; return 1; }
+}
+check "nothing that pointer and keys do loses sight of the room" kept
 
 # The program takes the view of the page, from its file and as options, for the same picture.
 view_saved() {
@@ -203,6 +210,8 @@ quick() {
     [ "$(cat opened)" -lt 20000 ]
 }
 check "the room can be looked at soon after its page is opened" quick
+small() { [ "$(wc -c <5cubes.html)" -lt 1500000 ] && [ "$(wc -c <4chairs.html)" -lt 1500000 ]; }
+check "the page of a bundled room takes less than 1.5 MB" small
 echo "4chairs: first picture after $(cat opened) ms"
 
 # usage: pictured FILE OPTIONS...

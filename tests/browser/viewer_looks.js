@@ -145,6 +145,10 @@ async function click_on_patch() {
 
 async function lines_traced() {
   const power = () => multipath.arrived().reduce((sum, x) => sum + x, 0), before = statistics_of(multipath.picture()).mean[1];
+  const lines = JSON.parse(by_id('room').textContent).trace.flatMap(chapter => chapter.lines), shown = multipath.trace.lines;
+  find('unlike', shown.length - lines.filter(line => line.crossings.length > 0).length);
+  find('skipped', lines.length - shown.length, lines.length);
+  find('misnumbered', shown.filter((line, k) => line.number !== (k > 0 && shown[k - 1].note === line.note ? shown[k - 1].number : 0) + line.missed + 1).length);
   by_id('trace').open = true;
   await pause();
   find('lines', by_id('line').max);
@@ -206,10 +210,44 @@ async function keys_pressed() {
   find('walked', apart(camera.eye, eye));
   press('r');
   find('home', apart(camera.eye, first.eye) + apart(camera.target, first.target));
+  press('o');
+  find('outside', multipath.camera.within() ? 0 : 1);
+  find('all', statistics_of(multipath.picture()).varied);
   press('h');
   find('folded', by_id('controls').hidden ? 0 : 1); // it was hidden before
   press('?');
   find('help', by_id('help').open ? 1 : 0);
+}
+
+// Whatever the pointer and the keys do, a part of the room is in the picture: the least share of pixels that it takes.
+async function room_kept() {
+  const { camera } = multipath, turn = y => by_id('view').dispatchEvent(new view.WheelEvent('wheel', { deltaY: y, bubbles: true, cancelable: true }));
+  const share = () => statistics_of(multipath.picture()).varied;
+  const way = ([x, y], more) => { for (let n = 0; n < 12; ++n) drag([400, 300], [400 + x, 300 + y], more); };
+  for (let n = 0; n < 60; ++n)
+    turn(200);
+  find('far', share());
+  for (const away of [[300, 0], [-300, 0], [0, 200], [0, -200]]) {
+    press('r');
+    const inside = camera.within();
+    for (let n = 0; n < 6; ++n)
+      turn(200);
+    way(away, { shiftKey: true });
+    find('shifted', share(), inside ? 1 : 0);
+    press('v');
+    way(away);
+    find('looked', share());
+    press('v');
+    way(away);
+    find('orbited', share());
+  }
+  // Walks end at the walls, and go through what stands in the room.
+  press('r');
+  const before = camera.eye.slice();
+  for (let n = 0; n < 4000; ++n)
+    camera.keep_room(c => c.walk(0.001, 0, 0));
+  find('walked', Math.hypot(...camera.eye.map((x, k) => x - before[k])) / camera.size);
+  find('within', camera.within() ? 1 : 0);
 }
 
 function view_saved() {

@@ -1,5 +1,6 @@
 'use strict';
-// A movable pinhole camera. It orbits around its target or looks around from a fixed position; `up` never changes.
+// A movable pinhole camera. It orbits around its target or looks around from a fixed position; `up` never changes. It
+// keeps its room in sight.
 
 // Rotates a about a unit axis, counter-clockwise seen from its tip (Rodrigues' formula).
 function turned(a, axis, angle) {
@@ -20,11 +21,14 @@ function matrix_product(a, b) {
 const steepest = 0.996; // largest cosine between view and up, so that the view never turns over
 
 class Camera {
-  // `zero`: the point of the scene that positions in the room are relative to.
-  constructor(first, size, zero) {
+  constructor(first, { box: [low, high], size, zero }) {
     this.first = { ...first, eye: minus(first.eye, zero), target: minus(first.target, zero) };
-    this.zero = zero;
+    this.zero = zero; // the point of the scene that positions in the room are relative to
     this.size = size; // diagonal of the room, the unit of steps
+    this.centre = times(0.5, plus(low, high));
+    // Half the size of the box where the eye may be without looking at it: a little less than the room, so that an eye
+    // in front of a wall sees the wall.
+    this.half = minus(high, low).map(x => Math.max(0.5 * x - 0.01 * size, 0.01 * size));
     this.reset();
   }
 
@@ -32,6 +36,39 @@ class Camera {
     this.eye = this.first.eye.slice();
     this.target = this.first.target.slice();
     this.up = normalized(this.first.up);
+  }
+
+  // Shows the whole room from outside and above.
+  go_outside(aspect) {
+    const angle = Math.atan(Math.tan(0.5 * this.angle(aspect)) * Math.min(1, aspect));
+    const level = normalized(cross(this.up, this.right()));
+    this.target = this.centre;
+    this.eye = plus(this.centre, times(-0.5 * this.size / Math.sin(angle), normalized(minus(level, times(0.8, this.up)))));
+  }
+
+  away() { return length(minus(this.eye, this.centre)); }
+  within() { return this.eye.every((x, k) => Math.abs(x - this.centre[k]) <= this.half[k]); }
+
+  // True if the eye is in the room, or if the middle of the picture shows its box, and it takes a quarter of the height.
+  sees_room() {
+    let near = 0, far = Infinity; // where the view passes between the planes of the box
+    this.forward().forEach((along, k) => {
+      const to_middle = (this.centre[k] - this.eye[k]) / (along || 1e-9), half = this.half[k] / Math.abs(along || 1e-9);
+      near = Math.max(near, to_middle - half);
+      far = Math.min(far, to_middle + half);
+    });
+    return near <= far && this.away() <= 2 * this.size / Math.tan(0.5 * this.angle(1));
+  }
+
+  // Carries out a change of the view. One that loses sight of the room from within ends at its walls, others are undone.
+  // A first view that does not see it may be changed freely.
+  keep_room(change) {
+    const { eye, target } = this, seen = this.sees_room(), within = this.within();
+    change(this);
+    if (seen && within && !this.sees_room())
+      this.move(minus(this.eye.map((x, k) => clamped(x, this.centre[k] - this.half[k], this.centre[k] + this.half[k])), this.eye));
+    if (seen && !this.sees_room())
+      Object.assign(this, { eye, target });
   }
 
   forward() { return normalized(minus(this.target, this.eye)); }
@@ -79,7 +116,7 @@ class Camera {
   // one can go through a room.
   approach(factor) {
     const wanted = factor * this.distance(), least = 0.02 * this.size;
-    const distance = clamped(wanted, least, 20 * this.size);
+    const distance = Math.max(wanted, least);
     this.eye = minus(this.target, times(distance, this.forward()));
     if (wanted < least)
       this.move(times(least - wanted, this.forward()));
@@ -114,7 +151,7 @@ class Camera {
     const view = [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0,
                   -dot(r, e), -dot(u, e), dot(f, e), 1];
     const scale = 1 / Math.tan(0.5 * this.angle(aspect));
-    const near = 0.002 * this.size, far = 25 * this.size;
+    const near = Math.max(0.002 * this.size, 0.9 * (this.away() - 0.5 * this.size)), far = this.away() + this.size;
     const depth = (far + near) / (near - far), shift = 2 * far * near / (near - far);
     return matrix_product([scale / aspect, 0, 0, 0, 0, scale, 0, 0, 0, 0, depth, -1, 0, 0, shift, 0], view);
   }

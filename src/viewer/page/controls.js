@@ -55,26 +55,23 @@ class Controls {
   pinch(id, before, now) {
     const other = [...this.pointers].find(([pointer]) => pointer !== id)[1];
     const distance = a => Math.max(10, Math.hypot(a[0] - other[0], a[1] - other[1]));
-    this.viewer.camera.approach(distance(before) / distance(now));
+    this.viewer.move(camera => camera.approach(distance(before) / distance(now)));
     this.shift(0.5 * (now[0] - before[0]), 0.5 * (now[1] - before[1]));
   }
 
   shift(dx, dy) {
-    this.viewer.camera.shift(dx / this.canvas.clientHeight, dy / this.canvas.clientHeight);
-    this.viewer.request_draw();
+    this.viewer.move(camera => camera.shift(dx / this.canvas.clientHeight, dy / this.canvas.clientHeight));
   }
 
   turn(dx, dy) {
-    const { camera, state } = this.viewer, left = -dx * radians_per_pixel, up = -dy * radians_per_pixel;
-    if (state.motion === 'orbit') camera.orbit(left, up); else camera.look(-left, -up);
-    this.viewer.request_draw();
+    const left = -dx * radians_per_pixel, up = -dy * radians_per_pixel, orbits = this.viewer.state.motion === 'orbit';
+    this.viewer.move(camera => orbits ? camera.orbit(left, up) : camera.look(-left, -up));
   }
 
   wheel(event) {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 30 : 1;
-    this.viewer.camera.approach(Math.exp(clamped(event.deltaY * lines, -200, 200) * 0.0015));
-    this.viewer.request_draw();
+    this.viewer.move(camera => camera.approach(Math.exp(clamped(event.deltaY * lines, -200, 200) * 0.0015)));
   }
 
   key(event) {
@@ -125,7 +122,6 @@ class Controls {
 
   step(seconds) {
     const way = (plus_key, minus_key) => walking_speed * seconds * (this.held.has(plus_key) - this.held.has(minus_key));
-    this.viewer.camera.walk(way('w', 's'), way('d', 'a'), way('e', 'q'));
-    this.viewer.request_draw();
+    this.viewer.move(camera => camera.walk(way('w', 's'), way('d', 'a'), way('e', 'q')));
   }
 }

@@ -379,7 +379,8 @@ class Drawing {
   }
 
   // look: { values, scale, tone, smooth, borders, arrived_scale, background }, and for a comparison `other`, values to
-  // be shown on the left of the share `wipe` of the picture's width.
+  // be shown on the left of the share `wipe` of the picture's width. A trace that is seen from outside shows no backs, which
+  // would hide its lines.
   draw(camera, look) {
     const gl = this.gl;
     this.fit();
@@ -392,7 +393,8 @@ class Drawing {
     gl.depthFunc(gl.LESS);
     gl.depthMask(true);
     gl.disable(gl.BLEND);
-    if (this.room.two_sided) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
+    const backs = this.room.two_sided && (look.arrived_scale === 0 || camera.within());
+    if (backs) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
     const parts = look.other ? [[look.other, 0, look.wipe], [look.values, look.wipe, 1]] : [[look.values, 0, 1]];
     gl.enable(gl.SCISSOR_TEST);
     for (const [values, from, to] of parts) {

@@ -63,6 +63,7 @@ class Panel {
     for (const control of this.controls)
       control.addEventListener('input', () => viewer.change({ [control.name]: this.value_of(control) }));
     on('home', 'click', () => viewer.go_home());
+    on('outside', 'click', () => viewer.go_outside());
     on('copy-view', 'click', event => copy_text(event.target, viewer.view_options()));
     on('save-view', 'click', () => save_as('view.json',
       'data:application/json,' + encodeURIComponent(JSON.stringify(viewer.view()) + '\n')));

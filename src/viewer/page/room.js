@@ -55,6 +55,8 @@ class Room {
     for (let s = 0; s < this.surface_count; ++s)
       this.surface.fill(s, this.first_patch(s), this.first_patch(s + 1));
     this.number_points();
+    const corners = Array.from({ length: this.surface_count }, (_, s) => this.outline(s)).flat();
+    this.box = [Math.min, Math.max].map(end => corners.reduce((a, b) => a.map((x, k) => end(x, b[k]))));
   }
 
   // For each corner of each patch the number of its point on the grid of its side, in the order in which patches meet them.

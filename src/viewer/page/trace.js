@@ -1,18 +1,24 @@
 'use strict';
 // "Play the method": shows single lines one after another, the surfaces that they meet, and the power that they carry.
 
-// Colours and opacities of segments with and without power, of the current line and of the lines before it.
-const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.62, 0.68, 0.78, 0.9];
-const past_ink = [0.7, 0.75, 0.85, 0.22], past_empty_ink = [0.7, 0.75, 0.85, 0.07];
+// Colours, opacities and widths [pixels of the page] of segments with and without power, of the current line and of the
+// lines before it. They are seen on dark walls and on a light background.
+const line_ink = [1, 0.62, 0.1, 1], empty_ink = [0.55, 0.6, 0.7, 0.9];
+const past_ink = [0.2, 0.58, 0.9, 0.4], past_empty_ink = [0.5, 0.54, 0.6, 0.3];
+const line_widths = [3.5, 1.5], past_widths = [2, 1];
 const seconds_per_line = 0.7;
 
 const mean = c => (c[0] + c[1] + c[2]) / 3;
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
-// The traced lines, each with the note of its chapter, and the number of those shown so far.
+// The traced lines that meet something, each with the note of its chapter, its `number` there and the number of lines just
+// before it that met nothing; and the number of those shown so far.
 class Trace {
   constructor(chapters, room) {
-    this.lines = chapters.flatMap(({ note, lines }) => lines.map(line => ({ ...line, note })));
+    this.lines = chapters.flatMap(({ note, lines }) => {
+      const meeting = lines.map((line, k) => ({ ...line, note, number: k + 1 })).filter(line => line.crossings.length > 0);
+      return meeting.map((line, k) => ({ ...line, missed: line.number - 1 - (k > 0 ? meeting[k - 1].number : 0) }));
+    });
     this.patch_count = room.patch_count;
     this.active = false;
     this.line = 0; // number of lines shown; 0: none yet
@@ -47,8 +53,8 @@ class Trace {
       const point = k => line.points.slice(3 * k, 3 * k + 3);
       for (let k = 0; k + 1 < line.points.length / 3; ++k) {
         const bold = line.joins[k] === 1;
-        const ink = now ? (bold ? line_ink : empty_ink) : (bold ? past_ink : past_empty_ink);
-        marks.push({ from: point(k), to: point(k + 1), width: now ? (bold ? 3.5 : 1.5) : 1, colour: ink });
+        const colour = now ? (bold ? line_ink : empty_ink) : (bold ? past_ink : past_empty_ink);
+        marks.push({ from: point(k), to: point(k + 1), width: (now ? line_widths : past_widths)[bold ? 0 : 1], colour });
       }
       for (let k = 0; now && k < line.crossings.length; k += 3) {
         const place = line.crossings.slice(k, k + 3);
@@ -139,7 +145,9 @@ class TracePanel {
   show_transfers(line) {
     const transfers = line ? line.transfers : [];
     element('transfers').hidden = transfers.length === 0;
-    element('transfer-none').textContent = line && transfers.length === 0 ? 'This line carries no power.' : '';
+    const empty = line && transfers.length === 0 ? ' It carries no power.' : '';
+    const missed = !line?.missed ? '' : line.missed === 1 ? ' The line before it met nothing.' : ` ${line.missed} lines before it met nothing.`;
+    element('trace-line').textContent = line ? `Number ${line.number} of its kind.${missed}${empty}` : '';
     element('power-unit').textContent = this.viewer.room.power_unit;
     element('transfer-rows').replaceChildren();
     for (const { from, to, forecast, held } of transfers) {

@@ -19,7 +19,7 @@ class Viewer {
   // Shows a room.
   show(data) {
     this.room = new Room(data);
-    this.camera = new Camera(data.camera, this.room.size, this.room.zero);
+    this.camera = new Camera(data.camera, this.room);
     this.drawing.set_room(this.room);
     Object.assign(this.state, { quantity: data.shown, shading: data.shading, selected: null,
       exposure: clamped(data.tone.exposure, -6, 6) });
@@ -61,8 +61,19 @@ class Viewer {
     this.request_draw();
   }
 
+  // Changes the view by a function of the camera.
+  move(change) {
+    this.camera.keep_room(change);
+    this.request_draw();
+  }
+
   go_home() {
     this.camera.reset();
+    this.request_draw();
+  }
+
+  go_outside() {
+    this.camera.go_outside(this.canvas.clientWidth / this.canvas.clientHeight);
     this.request_draw();
   }
 
