@@ -24,6 +24,13 @@ code { background: #f1f0eb; font-size: .88em; overflow-wrap: anywhere; }
 figure { margin: 0; flex: 0 1 29rem; }
 figure svg, figure img { max-width: 100%; height: auto; background: #fff; }
 figcaption, th, details { color: #66645e; font-size: .9rem; }
+nav ol { padding-left: 1.4rem; font-size: .9rem; }
+.up { position: fixed; right: 1rem; bottom: 1rem; padding: .2rem .8rem; border-radius: .6rem; background: #f1f0eb; }
+@media (min-width: 80rem) {
+  body { margin-left: max(18rem, calc(50vw - 31rem)); }
+  nav { position: fixed; top: 1rem; bottom: 1rem; left: 1rem; width: 15rem; overflow-y: auto; }
+  .up { display: none; }
+}
 )";
 
 /// A row of a table: its cells as `tag`, th or td.
@@ -196,6 +203,7 @@ public:
     }
 
     std::string html;
+    std::string contents; ///< items of a list, links to the sections
 
 private:
     /// Such as "3 of 8".
@@ -207,8 +215,11 @@ private:
 
     void heading(int level, const std::string& words)
     {
-        const std::string tag = "h" + std::to_string(level) + ">";
-        html += "<" + tag + words + "</" + tag + "\n";
+        const std::string tag = "h" + std::to_string(level);
+        const std::string place = "part-" + std::to_string(++headings_);
+        html += "<" + tag + " id=\"" + place + "\">" + words + "</" + tag + ">\n";
+        if (level > 1)
+            contents += "<li><a href=\"#" + place + "\">" + words + "</a></li>";
     }
 
     void text(const std::string& words) { html += "<p>" + words + "</p>\n"; }
@@ -336,6 +347,7 @@ private:
 
     const PaperFindings& f_;
     const std::string& folder_;
+    int headings_ = 0;
 };
 
 } // namespace
@@ -348,6 +360,7 @@ std::string paper_report(const PaperFindings& findings, const std::string& folde
         record += "  " + html_record_line(comment);
     PaperReport paper(findings, folder);
     paper.opening();
+    const std::size_t after_opening = paper.html.size();
     paper.claims();
     paper.scenes();
     paper.generators();
@@ -356,6 +369,8 @@ std::string paper_report(const PaperFindings& findings, const std::string& folde
     paper.shots();
     paper.beyond();
     paper.open_questions();
+    paper.html.insert(after_opening, "<nav aria-label=\"Contents\"><ol>" + paper.contents +
+                                         "</ol></nav>\n<a class=\"up\" href=\"#\">Contents</a>\n");
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n  <meta charset=\"utf-8\">\n"
            "  <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
            record + "  <title>The multi-path method, reproduced</title>\n  <style>" + style +
