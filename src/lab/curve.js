@@ -1,7 +1,7 @@
 'use strict';
 // The error against the number of lines, in a log-log plot with fitted slopes.
 
-const curve_colours = ['#0072b2', '#d55e00', '#8a8a8a']; // told apart by the colour-blind, too (Okabe and Ito)
+const curve_colours = ['var(--first)', 'var(--second)'];
 
 // The relative mean square error of radiosities, three numbers per patch, as the program's `compare` has it: (1) over the
 // square of the right mean radiosity, in the mean of the channels.
@@ -32,7 +32,7 @@ function fitted(points) {
 }
 
 class Curve {
-  // `series`: lists of { name, points: [{ lines, error }] }, the first is the current run.
+  // `series`: the runs in the order in which they were made, each { name, points: [{ lines, error }] }; at most two.
   constructor(svg, text) {
     Object.assign(this, { svg, text });
   }
@@ -46,8 +46,8 @@ class Curve {
     }
     this.range(points);
     this.axes();
-    series.forEach((one, n) => this.draw(one, curve_colours[Math.min(n, 2)]));
-    this.text.textContent = series.filter(one => one.points.length > 0).map(one => this.sentence(one)).join(' ');
+    this.text.replaceChildren();
+    series.forEach((one, n) => this.draw(one, n));
   }
 
   range(points) {
@@ -86,20 +86,28 @@ class Curve {
       label(42, y + 4, power, 'end');
     }
     this.add('text', { x: 218, y: 263, 'text-anchor': 'middle' }, 'lines N');
-    this.add('text', { x: -120, y: 12, 'text-anchor': 'middle', transform: 'rotate(-90)' }, 'relative MSE');
+    this.add('text', { x: -120, y: 9, 'text-anchor': 'middle', transform: 'rotate(-90)' }, 'relative MSE');
   }
 
-  draw({ points }, colour) {
+  // Draws a curve with its fit, and tells its numbers beside its mark: a disc for the first, a square for the second.
+  draw(one, n) {
+    const { points } = one, colour = curve_colours[n];
+    if (points.length === 0)
+      return;
     const right = points.filter(({ error }) => error > 0), places = right.map(({ lines, error }) => this.place(lines, error));
     const fit = fitted(right);
     if (fit) {
-      const ends = [right[0].lines, right[right.length - 1].lines];
+      const top = fit.slope < 0 ? 10 ** ((this.high[1] - fit.constant) / fit.slope) : 0; // it ends at the border
+      const ends = [Math.max(right[0].lines, top), right[right.length - 1].lines];
       const [a, b] = ends.map(n => this.place(n, 10 ** (fit.constant + fit.slope * Math.log10(n))));
       this.add('line', { x1: a[0], y1: a[1], x2: b[0], y2: b[1], stroke: colour, 'stroke-dasharray': '5 4' });
     }
     this.add('polyline', { points: places.map(p => p.join()).join(' '), fill: 'none', stroke: colour, 'stroke-width': 2 });
-    for (const [cx, cy] of places)
-      this.add('circle', { cx, cy, r: 3.4, fill: colour });
+    for (const [x, y] of places)
+      this.add('rect', { x: x - 3.6, y: y - 3.6, width: 7.2, height: 7.2, rx: n === 0 ? 3.6 : 0, fill: colour });
+    const mark = append_element(this.text, 'span', '');
+    Object.assign(mark.style, { background: colour, borderRadius: n === 0 ? '50%' : 0 });
+    append_element(this.text, 'p', this.sentence(one));
   }
 
   sentence({ name, points }) {

@@ -199,8 +199,8 @@ class Laboratory {
   }
 
   show_curve() {
-    const names = this.kept ? ['B: ', 'A: '] : ['', ''];
-    this.curve.show([this.run, this.kept].filter(Boolean).map((run, k) => ({ ...run, name: names[k] + run.name })));
+    const runs = this.kept && this.kept !== this.run ? [this.kept, this.run] : [this.run];
+    this.curve.show(runs.map((run, k) => ({ ...run, name: (this.kept ? ['A: ', 'B: '][k] : '') + run.name })));
   }
 
   // Keeps this run as A. The next one is B.

@@ -114,5 +114,9 @@ class LabControls {
       append_element(row, 'td', `${(100 * share).toFixed(1)} %`);
     }
   }
-  show_finding(text) { element('lesson-finding').textContent = text; }
+  show_finding(text) {
+    element('lesson-finding').textContent = text;
+    element('plot-text').scrollIntoView({ block: 'nearest' });
+    element('lesson-finding').scrollIntoView({ block: 'nearest' });
+  }
 }

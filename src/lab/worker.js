@@ -11,7 +11,7 @@ onmessage = async ({ data: { module, words, files, wanted } }) => {
   let message = '', text = '', line = '', told = 0;
   const read_progress = () => {
     const share = /(\d+) %/.exec(line), now = performance.now();
-    if (share && now - told > 50) {
+    if (line.includes('solving') && share && now - told > 50) {
       told = now;
       postMessage({ progress: Number(share[1]) / 100 });
     }

@@ -66,6 +66,48 @@ async function links(page) {
   tell((await page.run(`${find('command')}.textContent`)).includes('solve cornell.obj --method local --sequence random'), 'the command is shown');
 }
 
+// A long command reports its progress, at most twenty times a second; one that is stopped is heard of no more.
+async function progress_told(page) {
+  const { shares, steps, said } = await page.run(`(async () => {
+    const shares = [], times = [], words = command_words({ ...usual_state(), scene: '5cubes.obj', method: 'local' }, 2 ** 24);
+    const { code } = await laboratory.solve(words, share => { shares.push(share); times.push(performance.now()); }).done;
+    const job = laboratory.solve(words, () => { said++; if (said === 2) { job.stop(); fulfil(); } });
+    let said = 0, fulfil;
+    const ended = job.done.then(() => { said = 1000; });
+    await new Promise(done => { fulfil = done; });
+    await Promise.race([ended, laboratory.solve(laboratory.words(256)).done]);
+    return { shares: code === 0 ? shares : [], steps: Math.ceil((times[times.length - 1] - times[0]) / 50) + 1, said };
+  })()`);
+  const rising = shares.every((share, k) => share <= 1 && (k === 0 || share >= shares[k - 1]));
+  tell(shares.length >= 3 && rising && shares[0] < 0.5 && shares[shares.length - 1] > 0.8, 'progress is told and rises',
+    `${shares.length} times, from ${shares[0]} to ${shares[shares.length - 1]}`);
+  tell(shares.length <= 1.5 * steps + 2, 'not more than twenty times a second', `${shares.length} times in ${steps} steps of 50 ms`);
+  tell(said === 2, 'a command that is stopped says no more', said);
+  await page.run("(laboratory.restart({ scene: '5cubes', method: 'local', size: 24 }), 0)");
+  await page.until("laboratory.job && laboratory.next >= 2 ** 20");
+  tell(await page.run(`(${find('start')}.click(), !laboratory.job && ${find('start')}.textContent === 'Go on')`), 'stop ends a run at once');
+}
+
+// Everything can be reached by keyboard and has a name; two fingers move nearer; curves differ by more than colour.
+async function controls_reached(page) {
+  const { nameless, unreached } = await page.run(`(() => {
+    const name = c => c.getAttribute('aria-label') || c.textContent.trim() || [...(c.labels || [])].map(l => l.textContent.trim()).join('');
+    const controls = [...document.querySelectorAll('button, input, select, summary, canvas')].filter(c => !c.hidden);
+    return { nameless: controls.filter(c => !name(c)).map(c => c.outerHTML), unreached: controls.filter(c => c.tabIndex < 0).map(c => c.id) };
+  })()`);
+  tell(nameless.length === 0 && unreached.length === 0, 'every control has a name and can be reached by keyboard', [...nameless, ...unreached]);
+  const ratio = await page.run(`(() => {
+    const canvas = ${find('view')}, box = canvas.getBoundingClientRect(), { camera } = multipath, before = camera.distance();
+    canvas.setPointerCapture = () => {};
+    const point = (type, id, x) => canvas.dispatchEvent(new PointerEvent(type, { pointerId: id, pointerType: 'touch', buttons: 1,
+      clientX: box.left + x, clientY: box.top + 100, bubbles: true }));
+    point('pointerdown', 11, 100), point('pointerdown', 12, 150), point('pointermove', 12, 175);
+    point('pointerup', 11, 100), point('pointerup', 12, 175);
+    return camera.distance() / before;
+  })()`);
+  tell(Math.abs(ratio - 50 / 75) < 1e-6, 'two fingers move nearer', ratio);
+}
+
 // Commands that fail say so; the next one runs.
 async function own_rooms(page) {
   const open = (name, text) => page.run(`laboratory.open([new File([${JSON.stringify(text)}], '${name}')])`);
@@ -94,6 +136,8 @@ async function small_screen() {
     const page = await open_page(browser, `${url}#size=10`, width, height);
     await page.until(done);
     tell(await page.run('document.scrollingElement.scrollWidth <= innerWidth'), `nothing is cut off at ${width} pixels`);
+    if (width < 500)
+      await controls_reached(page);
     if (pictures)
       await page.picture(path.join(pictures, `lab-${width}.png`));
     page.close();
@@ -105,7 +149,7 @@ async function small_screen() {
   try {
     await first_picture(page);
     await page.until(done);
-    for (const look of [same_bytes, links, errors_compared, own_rooms, lessons, many_runs])
+    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lessons, many_runs])
       await look(page);
     tell(page.said.length === 0, 'no error on the console', page.said.join('; '));
   } finally {
