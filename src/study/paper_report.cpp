@@ -24,7 +24,7 @@ code { background: #f1f0eb; font-size: .88em; overflow-wrap: anywhere; }
 figure { margin: 0; flex: 0 1 29rem; }
 figure svg, figure img { max-width: 100%; height: auto; background: #fff; }
 figcaption, th, details { color: #66645e; font-size: .9rem; }
-nav ol { padding-left: 1.4rem; font-size: .9rem; }
+nav ol { padding-left: 2rem; font-size: .9rem; }
 .up { position: fixed; right: 1rem; bottom: 1rem; padding: .2rem .8rem; border-radius: .6rem; background: #f1f0eb; }
 @media (min-width: 80rem) {
   body { margin-left: max(18rem, calc(50vw - 31rem)); }
