@@ -69,7 +69,7 @@ async function links(page) {
 // A long command reports its progress, at most twenty times a second; one that is stopped is heard of no more.
 async function progress_told(page) {
   const { shares, steps, said } = await page.run(`(async () => {
-    const shares = [], times = [], words = command_words({ ...usual_state(), scene: '5cubes.obj', method: 'local' }, 2 ** 24);
+    const shares = [], times = [], words = command_words({ ...state_of(''), scene: '5cubes.obj', method: 'local' }, 2 ** 24);
     const { code } = await laboratory.solve(words, share => { shares.push(share); times.push(performance.now()); }).done;
     const job = laboratory.solve(words, () => { said++; if (said === 2) { job.stop(); fulfil(); } });
     let said = 0, fulfil;
