@@ -152,7 +152,7 @@ CurvePoint execute(const Scene& scene, const StudyPlan& plan, const PlannedRun& 
     options = independent_run(options, RandomStream::runs, plan.seed ^ run.lines,
                               static_cast<std::uint64_t>(run.number), item_stride(scene, options));
     const double start = thread_seconds();
-    const Solution solution = solve(scene, prepare(scene, plan.curves[run.curve].options), options, progress);
+    const Solution solution = solve(scene, prepare(scene, options), options, progress);
     CurvePoint point{run.lines};
     point.seconds = thread_seconds() - start;
     const ErrorMeasure error = measure_error(scene.weights(), solution.radiosity, reference.radiosity); // (1)

@@ -172,8 +172,9 @@ public:
     {
         heading(2, "Open questions: the ratio of local to global lines");
         text("The paper asks for a better rule than (3). Here the number of lines is fixed and their division varies. "
-             "The curves a / N_l + b / N_g are fitted to each execution: they are exact for independent lines, and an "
-             "approximation for Sobol's, whose error falls faster. (3) expects that the lit patches hold equal unshot "
+             "The curves a / N_l + b / N_g are fitted to each execution. They are an approximation: global lines carry "
+             "the noise of the local ones, a term in 1 / (N_l N_g), an extended first shot ends its passes by whole "
+             "lines, and the error of Sobol's lines falls faster. (3) expects that the lit patches hold equal unshot "
              "power (f, R_s'), and after an extended first shot all patches. A pilot of the larger of 4,096 rays and "
              "two for each patch, at most a sixteenth of the lines, shows a and b of the scene itself (V1) (V2); its "
              "rays are not counted here.");
