@@ -8,7 +8,7 @@ const fs = require('fs'), os = require('os'), path = require('path'), zlib = req
 const { open_page } = require('./drive.js');
 const [, , program, lab, rounds = 7] = process.argv;
 const room = 'scenes/5cubes.obj', files = [room, room.replace('obj', 'mtl')].map(name => [path.basename(name), fs.readFileSync(name)]);
-const words = (method, scene) => ['solve', scene, '-m', method, '-n', '2^20', '--patches', '3198', '--threads', '1', '--json', '-o', 'room.csv'];
+const words = (method, scene) => ['solve', scene, '-m', method, '-n', '2^23', '--patches', '3198', '--threads', '1', '--json', '-o', 'room.csv'];
 const rate = ({ lines, seconds, seconds_outputs }) => lines / (seconds - seconds_outputs) / 1e6;
 const median = list => list.sort((a, b) => a - b)[list.length >> 1];
 
