@@ -124,8 +124,8 @@ private:
     std::string kind_;
     int dimensions_;
     std::array<std::uint64_t, sobol::dimensions> keys_{}; ///< of the scrambling, or the shift of all points
-    /// The first direction numbers, bit by bit; the last is that after the last point. Aligned, since a step across two
-    /// cache lines costs a third of the speed.
+    /// The first direction numbers, bit by bit, and a zero for the step after the last point. Aligned, as a step across
+    /// two cache lines costs a third of the speed.
     alignas(32) std::array<std::array<std::uint64_t, 4>, sobol::index_bits + 1> steps_{};
 };
 

@@ -1,14 +1,14 @@
 'use strict';
 // Lines per second of the laboratory's program in chromium and in node, and of the program itself with SSE2, on one thread:
 // millions, by the seconds that the program reports without those for outputs. All take turns; printed are medians, and the middle of the ratios.
-// usage: node lab_rate.js PROGRAM LAB.html [ROUNDS]     at the top of the sources
+// usage: node lab_rate.js PROGRAM LAB.html [ROUNDS [LINES]]     at the top of the sources
 
 const { execFileSync } = require('child_process');
 const fs = require('fs'), os = require('os'), path = require('path'), zlib = require('zlib');
 const { open_page } = require('./drive.js');
-const [, , program, lab, rounds = 7] = process.argv;
+const [, , program, lab, rounds = 7, line_count = '2^23'] = process.argv;
 const room = 'scenes/5cubes.obj', files = [room, room.replace('obj', 'mtl')].map(name => [path.basename(name), fs.readFileSync(name)]);
-const words = (method, scene) => ['solve', scene, '-m', method, '-n', '2^23', '--patches', '3198', '--threads', '1', '--json', '-o', 'room.csv'];
+const words = (method, scene) => ['solve', scene, '-m', method, '-n', line_count, '--patches', '3198', '--threads', '1', '--json', '-o', 'room.csv'];
 const rate = ({ lines, seconds, seconds_outputs }) => lines / (seconds - seconds_outputs) / 1e6;
 const median = list => list.sort((a, b) => a - b)[list.length >> 1];
 
