@@ -8,6 +8,7 @@
 #include "parallel/blocks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <tuple>
 #include <utility>
@@ -292,16 +293,71 @@ std::array<Rgb, 4> SmoothShading::at_corners(std::uint32_t patch) const
     return result;
 }
 
+namespace {
+
+/// [W/m^2] The radiosity without the reflected sunlight.
+std::vector<Rgb> without_sunlight(const Scene& scene, std::vector<Rgb> radiosity)
+{
+    if (scene.file().sun)
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            radiosity[i] = radiosity[i] - scene.reflectance(i) * scene.sunlight(i);
+    return radiosity;
+}
+
+} // namespace
+
+ShownRadiosity::ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads,
+                               const std::vector<char>& shown)
+    : scene_(scene), light_(scene, without_texture(scene, without_sunlight(scene, radiosity)), threads, shown)
+{
+    if (!scene.file().sun)
+        return;
+    // Red: the share of the sun's irradiance, green: the same without shadows, blue: 1. What SmoothShading does is
+    // linear and the same in all channels, so that on a plane green remains a multiple of blue, also beside covered
+    // parts.
+    std::vector<Rgb> values(scene.patch_count());
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        values[i] = {quotient(mean(scene.sunlight(i)), mean(scene.file().sun->irradiance)),
+                     std::max(0.0, dot(scene.patch(i).shape.normal(), scene.file().sun->direction)), 1.0};
+    sunlight_.emplace(scene, values, threads, shown);
+    has_edge_.resize(values.size());
+    parallel_numbers(scene.patch_count(), threads, [&](std::uint32_t i) {
+        const auto is_multiple = [](double value, double factor, double of) {
+            constexpr double rounding = 1e-9;
+            return std::abs(value - factor * of) <= rounding * std::max(1.0, std::abs(of));
+        };
+        const auto [lit, unshadowed, one] = values[i];
+        const std::array<Rgb, 4> corners = sunlight_->at_corners(i);
+        bool is_uniform = lit == 0.0 || is_multiple(lit, unshadowed, one);
+        for (std::size_t k = 0; k < scene.corners(i).count; ++k) {
+            if (!is_multiple(corners[k].g, unshadowed, corners[k].b)) // a curved surface
+                return;
+            is_uniform = is_uniform && is_multiple(corners[k].r, lit, corners[k].b);
+        }
+        has_edge_[i] = is_uniform ? 0 : 1;
+    });
+}
+
+/// [W/m^2] Irradiance by the sun at a hit.
+Rgb ShownRadiosity::sunlight(const Hit& hit) const
+{
+    if (!sunlight_)
+        return {};
+    if (has_edge_[scene_.patch_at(hit.surface, hit.u, hit.v, hit.front)] == 0)
+        return sunlight_->at(hit).r * scene_.file().sun->irradiance;
+    const Surface& surface = scene_.surfaces()[hit.surface];
+    return scene_.sunlight(hit.surface, surface.at(hit.u, hit.v), hit.front ? surface.normal() : -surface.normal());
+}
+
 Rgb ShownRadiosity::at(const Hit& hit) const
 {
-    const Rgb plain = shading_.at(hit);
-    if (scene_.file().textures.empty() || !scene_.is_textured(hit.surface))
-        return plain;
+    const Rgb plain = light_.at(hit);
     const Material& material = scene_.surface_material(hit.surface);
+    if (scene_.file().textures.empty() || !scene_.is_textured(hit.surface))
+        return plain + material.reflectance * sunlight(hit);
     const Rgb emitted = hit.front ? material.emittance : Rgb{};
-    const Rgb reflected = plain - emitted;
-    const Rgb mean = material.reflectance;
-    return emitted + scene_.reflectance_at(hit.surface, hit.u, hit.v) * light_on(reflected, mean);
+    const Rgb light = light_on(plain - emitted, material.reflectance) + sunlight(hit);
+    return emitted + scene_.reflectance_at(hit.surface, hit.u, hit.v) * light;
 }
 
 } // namespace multipath

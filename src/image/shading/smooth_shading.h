@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace multipath {
@@ -43,25 +44,29 @@ private:
 /// patch_slopes() returns in its parameter `bends`.
 std::vector<double> interpolation_errors(const Scene& scene, const std::vector<Rgb>& values, int threads);
 
-/// The radiosity as smooth pictures show it, with textures at full resolution although light is known per patch only:
-/// the radiosity that patches would have without the detail of their texture is interpolated (SmoothShading), and the
-/// texture is applied again at each point.
+/// The radiosity as smooth pictures show it, with details that patches cannot hold, since light is known per patch
+/// only. Textures have their full resolution: the radiosity that patches would have without the detail of their texture
+/// is interpolated (SmoothShading), and the texture is applied again at each point. Shadows in sunlight have sharp
+/// edges: where patches of a plane are partly lit by the sun, and beside them, a ray to the sun is sent from each
+/// point, and only the other light is interpolated. On facets of a curved surface sunlight is interpolated too.
 class ShownRadiosity
 {
 public:
-    /// `radiosity` [W/m^2] per patch. `shown`: as for SmoothShading. The scene must outlive this object.
+    /// `radiosity` [W/m^2] per patch, reflected sunlight included. `shown`: as for SmoothShading. The scene must
+    /// outlive this object.
     ShownRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int threads,
-                   const std::vector<char>& shown = {})
-        : scene_(scene), shading_(scene, without_texture(scene, radiosity), threads, shown)
-    {
-    }
+                   const std::vector<char>& shown = {});
 
     /// [W/m^2] at a hit on a side that has patches.
     Rgb at(const Hit& hit) const;
 
 private:
+    Rgb sunlight(const Hit& hit) const;
+
     const Scene& scene_;
-    SmoothShading shading_;
+    SmoothShading light_;                   ///< without sunlight
+    std::optional<SmoothShading> sunlight_; ///< red: share of the sun's irradiance; absent without a sun
+    std::vector<char> has_edge_;            ///< per patch: nonzero if sunlight is computed at each point
 };
 
 } // namespace multipath

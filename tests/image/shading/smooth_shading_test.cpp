@@ -1,5 +1,7 @@
 #include "image/shading/smooth_shading.h"
 
+#include "image/shading/visible_patches.h"
+#include "scene/daylight.h"
 #include "scene/texture/texture.h"
 #include "test_scenes.h"
 
@@ -447,6 +449,66 @@ TEST_CASE("surfaces look the same if only they are shaded")
                     CHECK(one.at_corners(patch) == all.at_corners(patch));
         }
     }
+}
+
+// From the east at 45 degrees the shadow of a unit square 1 m above [0, 1] x [0, 1] of the floor is [-1, 0] x [0, 1].
+// That of a box of half the height on [2, 3] x [-2, -1], whose bottom is not modelled, is [1.5, 2] x [-2, -1]. The
+// patches, of about 0.31 m, fit no edge of them, and the box covers some in part.
+TEST_CASE("a shadow in sunlight has the edges of the parallel projection")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    builder.rectangle({-4, 0, -4}, {0, 0, 8}, {8, 0, 0}, paint);
+    builder.rectangle({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, paint);
+    builder.rectangle({2, 0.5, -2}, {0, 0, 1}, {1, 0, 0}, paint);
+    builder.rectangle({2, 0, -2}, {0, 0, 1}, {0, 0.5, 0}, paint);
+    builder.rectangle({3, 0, -2}, {0, 0.5, 0}, {0, 0, 1}, paint);
+    builder.rectangle({2, 0, -2}, {0, 0.5, 0}, {1, 0, 0}, paint);
+    builder.rectangle({2, 0, -1}, {1, 0, 0}, {0, 0.5, 0}, paint);
+    const Scene scene = builder.sun(sun_at(90, 45, {0, 1, 0}, grey(1.0))).scene(0.31);
+    const std::vector<Rgb> none(scene.patch_count());
+    const VisiblePatches patches(scene, none, 1);
+    std::vector<Rgb> radiosity;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) // besides the sun even light where the floor is open
+        radiosity.push_back(scene.first_light(i) + grey(0.25 * patches.open_share(i)));
+    const ShownRadiosity shown_radiosity(scene, radiosity, 1);
+    for (int i = 0; i < 96; ++i)
+        for (int j = 0; j < 96; ++j) {
+            const double u = (i + 0.5) / 96; // along z
+            const double v = (j + 0.5) / 96; // along x
+            const Vec3 p = scene.surfaces()[0].at(u, v);
+            const bool in_row = p.z > -2.0 && p.z < -1.0;
+            if (in_row && p.x > 2.0 && p.x < 3.0)
+                continue; // below the box
+            const bool is_dark =
+                (p.x > -1.0 && p.x < 0.0 && p.z > 0.0 && p.z < 1.0) || (in_row && p.x > 1.5 && p.x < 2.0);
+            const double expected = 0.25 + (is_dark ? 0.0 : 0.5 * std::sqrt(0.5));
+            CHECK(shown_radiosity.at({0.0, 0, u, v, true}).g == doctest::Approx(expected).epsilon(1e-9)); // rounding
+        }
+}
+
+// Two rectangles that meet at 10 degrees look like one curved surface, and the sunlight on them like one slope.
+TEST_CASE("sunlight on facets of a curved surface is interpolated")
+{
+    SceneBuilder builder;
+    const std::uint32_t paint = builder.grey(0.5, 0.0);
+    const double slope = std::tan(10.0 * pi / 180.0);
+    builder.rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint);
+    builder.rectangle({-1, -slope, 0}, {0, 0, 1}, {1, slope, 0}, paint);
+    builder.rectangle({5, 0, 0}, {0, 0, 1}, {1, 0, 0}, paint);
+    builder.rectangle({6.2, 1, 0.3}, {0, 0, 0.3}, {0.3, 0, 0}, paint); // casts a shadow on the third
+    const Scene scene = builder.sun(sun_at(90, 45, {0, 1, 0}, grey(1.0))).scene(0.5);
+    std::vector<Rgb> radiosity;
+    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+        radiosity.push_back(scene.first_light(i));
+    const ShownRadiosity shown_radiosity(scene, radiosity, 1);
+    const double right = shown_radiosity.at({0.0, 0, 0.5, 0.01, true}).g; // 1 cm from the seam
+    const double left = shown_radiosity.at({0.0, 1, 0.5, 0.99, true}).g;
+    const double sunniest = 0.5 * std::sqrt(0.5);
+    const double other = 0.5 * std::cos(55.0 * pi / 180.0);
+    CHECK(right < 0.9 * sunniest + 0.1 * other);
+    CHECK(left > 0.9 * other + 0.1 * sunniest);
+    CHECK(std::abs(right - left) < 0.1 * (sunniest - other)); // a slope 2 cm long of one at least 25 cm long
 }
 
 } // namespace smooth_shading_test
