@@ -1,6 +1,7 @@
 #include "cli/progress.h"
 
 #include "base/platform/process.h"
+#include "base/text_format.h"
 
 #include <cstdio>
 #include <utility>
@@ -33,9 +34,9 @@ void Progress::operator()(double done)
     last_shown_ = now;
 
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double left = done > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
+    const std::string left = done > 0.0 ? format(", about %.0f s left", elapsed * (1.0 - done) / done) : "";
     redrawn_ = style_ == ProgressStyle::redrawn;
-    std::fprintf(stderr, "%s%s: %.0f %%, about %.0f s left%s", redrawn_ ? "\r" : "", what_.c_str(), 100.0 * done, left,
+    std::fprintf(stderr, "%s%s: %.0f %%%s%s", redrawn_ ? "\r" : "", what_.c_str(), 100.0 * done, left.c_str(),
                  redrawn_ ? "\033[K" : "\n");
     std::fflush(stderr);
 }

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "base/text_format.h"
+#include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
 #include "cli/progress.h"
 #include "commands/commands.h"
@@ -109,13 +110,32 @@ Scene with_patches_for_tolerance(SolveJob& job, const Scene& scene)
     const double wanted = job.accuracy.patch_tolerance();
     const double memory = job.options.memory;
     const int threads = job.options.threads;
-    Progress progress("choosing patches", progress_style(line));
+    std::optional<Progress> progress(std::in_place, "measuring patches", progress_style(line));
+    const auto show = [&](double done) { (*progress)(done); };
     if (!job.accuracy.tolerance || line.has("adaptive") || line.has("patches") || line.has("patch-size")) {
-        job.accuracy.patch_error = patch_error(scene, wanted, memory, threads, std::ref(progress)).root_upper_bound();
+        job.accuracy.patch_error = patch_error(scene, wanted, memory, threads, show).root_upper_bound();
         return scene;
     }
-    const auto require_memory = [&](double patches) { require_memory_for_patches(line, scene.file(), patches); };
-    RefinedScene refined = refined_to_error(scene, wanted, require_memory, memory, threads, std::ref(progress));
+    bool cutting = false;
+    const auto before_cut = [&](double patches) {
+        require_memory_for_patches(line, scene.file(), patches);
+        progress.emplace("choosing " + grouped(static_cast<std::uint64_t>(patches)) + " patches", progress_style(line));
+        cutting = true;
+        watch_interrupts();
+    };
+    const auto show_until_enough = [&](double done) {
+        constexpr double share_of_patches = 0.5; // of the time
+        const bool is_late =
+            job.accuracy.seconds && job.seconds_since_start() > share_of_patches * *job.accuracy.seconds;
+        if (cutting && (is_late || interrupted()))
+            throw EnoughPatches{};
+        show(done);
+    };
+    RefinedScene refined = refined_to_error(scene, wanted, before_cut, memory, threads, show_until_enough);
+    progress.reset();
+    if (interrupted() && !job.quiet)
+        print_note("interrupted; goes on with " + grouped(refined.scene.patch_count()) + " patches\n");
+    end_at_interrupts();
     job.accuracy.patch_error = refined.error;
     return std::move(refined.scene);
 }
@@ -195,6 +215,8 @@ int run_solve(const CommandLine& line)
     Scene coarse = read_scene(line, thread_count(line));
     require_no_input(outputs, input_files(coarse.file()));
     const Scene scene = with_patches_for_tolerance(job, with_adaptive_patches(job, std::move(coarse)));
+    if (job.accuracy.seconds)
+        *job.accuracy.seconds -= job.seconds_since_start();
     settle_lines(scene, job.line, job.options);
     if (line.has("important"))
         job.options.importance = important_patches(scene, line.text("important"), job.pictures);

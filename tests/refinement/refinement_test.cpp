@@ -6,6 +6,7 @@
 #include "radiosity/run/replicates.h"
 #include "radiosity/run/solve.h"
 #include "refinement/adaptive_patches.h"
+#include "refinement/patch_tolerance.h"
 #include "scene/tessellation.h"
 #include "test_scenes.h"
 
@@ -409,6 +410,39 @@ TEST_CASE("the patches' error is found from few lines")
     CHECK(patches.relative_mean_square == doctest::Approx(expected).epsilon(0.2));
     CHECK(patches.root_upper_bound() > patches.root());
     CHECK(patch_error(scene, 0.0, 2e9, 1, [](double) {}).relative_mean_square == patches.relative_mean_square);
+}
+
+TEST_CASE("patches are chosen until they suffice, or a callback has enough of them")
+{
+    const Scene coarse = penumbra(0.4);
+    const double first = patch_error(coarse, 0.0, 2e9, 2, [](double) {}).root_upper_bound();
+    const double wanted = 0.1 * first;
+    std::vector<double> cuts;
+    const auto before_cut = [&](double patches) { cuts.push_back(patches); };
+    const RefinedScene whole = refined_to_error(coarse, wanted, before_cut, 2e9, 2, [](double) {});
+    CHECK(whole.error <= wanted);
+    CHECK(whole.error == patch_error(whole.scene, wanted, 2e9, 1, [](double) {}).root_upper_bound());
+    REQUIRE(cuts.size() >= 2);
+    CHECK(std::is_sorted(cuts.begin(), cuts.end()));
+    CHECK(whole.scene.patch_count() <= cuts.back());
+    const std::size_t all = cuts.size();
+    const auto enough_at = [&](std::size_t cut, double share) {
+        cuts.clear();
+        const auto progress = [&](double done) {
+            if (cuts.size() == cut && done >= share)
+                throw EnoughPatches{};
+        };
+        return refined_to_error(coarse, wanted, before_cut, 2e9, 2, progress);
+    };
+    for (const double share : {0.0, 0.7}) {
+        const RefinedScene none = enough_at(1, share);
+        CHECK(none.scene.patch_count() == coarse.patch_count());
+        CHECK(none.error == patch_error(coarse, wanted, 2e9, 2, [](double) {}).root_upper_bound());
+        const RefinedScene some = enough_at(all, share);
+        CHECK(some.scene.patch_count() > coarse.patch_count());
+        CHECK(some.scene.patch_count() < whole.scene.patch_count());
+        CHECK(some.error > wanted);
+    }
 }
 
 // 54 of 60 are nine of ten.

@@ -60,6 +60,7 @@ void always_end_at_interrupts()
 
 void watch_interrupts()
 {
+    signal_received = 0;
     if (always_ends == 0)
         handle_end_signals(note_interrupt);
 }

@@ -14,18 +14,19 @@ namespace {
 
 constexpr int replicates_of_rounds = 4; ///< default with --tolerance or --time, which need an estimate of the error
 constexpr std::uint64_t first_round_lines = 1u << 16;
+constexpr double share_of_patches = 0.9; // of the tolerance
 
 } // namespace
 
 double Accuracy::patch_tolerance() const
 {
-    return tolerance.value_or(0.0) / std::sqrt(2.0);
+    return share_of_patches * tolerance.value_or(0.0);
 }
 
 double Accuracy::noise_tolerance() const
 {
-    const double patches = patch_error.value_or(0.0);
-    return std::max(std::sqrt(std::max(0.0, *tolerance * *tolerance - patches * patches)), 0.5 * *tolerance);
+    const double patches = std::min(patch_error.value_or(0.0), patch_tolerance());
+    return std::sqrt(*tolerance * *tolerance - patches * patches);
 }
 
 bool RoundLimit::go_on(const Round& round, double seconds)

@@ -14,20 +14,20 @@ struct Accuracy
     int replicates = 1;
     std::optional<double> tolerance;         ///< [1] root of the relative total mean square error (MSE) to reach
     std::optional<double> patch_error;       ///< [1] root of the relative MSE that the patches cause, once known
-    std::optional<double> seconds;           ///< [s] time to solve
+    std::optional<double> seconds;           ///< [s] time until all is solved
     std::optional<std::uint64_t> most_lines; ///< limit of lines for the last round; only with a tolerance or a time
 
     /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
-    /// [1] The error by patches, as root of the relative MSE, that is low enough for the tolerance: half of the MSE. 0
-    /// without a tolerance.
+    /// [1] The error by patches, as root of the relative MSE, that is low enough for the tolerance: nine tenths of it,
+    /// since patches take more time than lines. 0 without a tolerance.
     double patch_tolerance() const;
 
     /// [1] The noise, as root of the relative MSE, that is low enough for the tolerance, which must be given. It is the
-    /// square root of tolerance^2 - patch_error^2 (0 if unknown), but at least half of the tolerance. The minimum
-    /// applies if the patches alone cause nearly all of the tolerated error, or more, and cannot be cut further,
-    /// because of options or of the limit of their number.
+    /// square root of tolerance^2 - patch_error^2 (0 if unknown), but at least what patch_tolerance() leaves. The
+    /// minimum applies if the patches alone cause more error and cannot be cut further, because of options, of the
+    /// limit of their number, or of the time.
     double noise_tolerance() const;
 };
 

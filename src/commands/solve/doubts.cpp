@@ -76,7 +76,8 @@ std::vector<std::string> doubts_of_power(const SolveSummary& s)
         doubts.push_back("the power that is not distributed yet is on surfaces that reflect nearly all of it, and may "
                          "make the result brighter by " +
                          percent_text(growth) + "; more lines help, or --method reuse");
-    if (behind > 0.01 && !s.scene.file().sky_surfaces) // the sky also shines on outer sides
+    // Patches that lie partly under objects send some light into these. The sky also shines on outer sides.
+    if (behind > 0.1 && !s.scene.file().sky_surfaces)
         doubts.push_back(format("%.3g %% of the power met surfaces from behind and is lost; 'multipath check' names "
                                 "them, --two-sided gives them backs",
                                 behind));
@@ -89,10 +90,11 @@ std::vector<std::string> doubts_of_error(const SolveSummary& s)
 {
     std::vector<std::string> doubts;
     if (s.job.accuracy.tolerance && s.error() > *s.job.accuracy.tolerance)
-        doubts.push_back(format("that is above the tolerance of %.3g %%: ", 100.0 * *s.job.accuracy.tolerance) +
-                         (*s.job.accuracy.patch_error > s.job.accuracy.patch_tolerance()
-                              ? "there are too few patches; up to a million are chosen if no option fixes them"
-                              : "the limit of lines or time was reached"));
+        doubts.push_back(
+            format("that is above the tolerance of %.3g %%: ", 100.0 * *s.job.accuracy.tolerance) +
+            (*s.job.accuracy.patch_error > s.job.accuracy.patch_tolerance()
+                 ? "there are too few patches, because of options, of the time, or of the limit of a million"
+                 : "the limit of lines or time was reached"));
     if (s.solution.relative_standard_error &&
         all_lines(s) < lines_for_error_estimate(s.scene, s.job.options.method, s.solution.replicates))
         doubts.push_back(format("with fewer than %d lines per patch in each replicate it may be several times larger; "

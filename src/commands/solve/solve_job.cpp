@@ -114,7 +114,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
         Progress progress("solving", progress_style(job.line));
         const auto show = [&](double done) {
             if (seconds_to_first_lines == 0.0) {
-                seconds_to_first_lines = seconds_since(job.start);
+                seconds_to_first_lines = job.seconds_since_start();
                 watch_interrupts(); // from now on there are partial results
             }
             progress(done);
@@ -145,7 +145,7 @@ int carry_out(const SolveJob& job, const Scene& scene, std::vector<PlannedOutput
     const SolveSummary summary{job,
                                scene,
                                solution,
-                               seconds_since(job.start),
+                               job.seconds_since_start(),
                                seconds_trace,
                                seconds_outputs,
                                seconds_to_first_lines,

@@ -25,6 +25,8 @@ struct SolveJob
     std::string sequence; ///< full name of the sequence
     bool quiet = false;   ///< true: print only errors
     Clock::time_point start = Clock::now();
+
+    double seconds_since_start() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 };
 
 /// Reads the options. Throws UsageError, and InputError for a faulty file of --camera.

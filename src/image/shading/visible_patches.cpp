@@ -20,8 +20,8 @@ namespace multipath {
 
 namespace {
 
-constexpr std::uint64_t most_along = 8;         // 8 x 8 points, one bit each in a 64-bit word
-constexpr std::uint64_t most_points = 1u << 21; // of all patches together, approximately; bounds the time
+constexpr std::uint8_t most_along = 8;          // 8 x 8 points, one bit each in a 64-bit word
+constexpr std::uint64_t most_points = 1u << 21; // of all touched patches, approximately; bounds the time
 
 /// Sample point: the centre of one of along * along equal parts of the patch.
 Vec3 sample_point(const Surface& shape, std::uint32_t along, std::uint32_t number)
@@ -47,6 +47,23 @@ std::array<Vec3, 5> test_directions(const Surface& shape)
     const Vec3 along = cross(normal, aside);
     return {normal, normal + 0.6 * aside + 0.8 * along, normal - 0.8 * aside + 0.6 * along,
             normal - 0.6 * aside - 0.8 * along, normal + 0.8 * aside - 0.6 * along};
+}
+
+/// True if the interior of the patch touches or meets another surface, or may do so. Otherwise it is open or covered as
+/// a whole.
+bool is_touched(const Scene& scene, const Patch& patch)
+{
+    constexpr double border = 1e-6; // share of the edges
+    const double gap = 1e-8 * scene.bounds().diagonal();
+    const Vec3 centre = patch.shape.centre();
+    Bounds box;
+    for (const Vec3& corner : corners_of(patch.shape))
+        box.include(corner + border * (centre - corner));
+    box = {box.low - Vec3{gap, gap, gap}, box.high + Vec3{gap, gap, gap}};
+    const std::vector<std::uint32_t> near = scene.intersector().surfaces_near(box);
+    return std::any_of(near.begin(), near.end(), [&](std::uint32_t surface) {
+        return surface != patch.surface && overlap(box, scene.surfaces()[surface].bounds());
+    });
 }
 
 /// One bit for each of along * along sample points, set if is_covered() is false there. `fan`: reusable buffers.
@@ -85,35 +102,45 @@ bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape,
 }
 
 VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& values, int threads)
-    : scene_(scene),
-      values_(values),
-      points_per_area_(scene.patch_count() <= most_points / (most_along * most_along)
-                           ? std::numeric_limits<double>::infinity()
-                           : static_cast<double>(most_points) / scene.total_area()),
-      open_(scene.patch_count(), 1)
+    : scene_(scene), values_(values), along_(scene.patch_count()), open_(scene.patch_count())
 {
+    std::vector<char> touched(scene.patch_count());
+    parallel_numbers(scene.patch_count(), threads,
+                     [&](std::uint32_t i) { touched[i] = is_touched(scene, scene.patch(i)) ? 1 : 0; });
+    // [1/m^2] Upper bound of the density of sample points among patches that are touched, or are not.
+    const auto density_among = [&](char kind) {
+        std::uint64_t count = 0;
+        double area = 0.0;
+        for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+            if (touched[i] == kind) {
+                ++count;
+                area += scene.area(i);
+            }
+        return count <= most_points / (most_along * most_along) ? std::numeric_limits<double>::infinity()
+                                                                : static_cast<double>(most_points) / area;
+    };
+    const std::array<double, 2> density = {density_among(0), density_among(1)};
     constexpr std::uint32_t patches_at_a_time = 64;
     parallel_ranges(scene.patch_count(), patches_at_a_time, threads, [&](std::uint32_t first, std::uint32_t end) {
         RayFan fan;
-        for (std::uint32_t i = first; i < end; ++i)
-            // A single sample point would not do: the patch would be open or covered as a whole.
-            if (const std::uint32_t along = samples_along(i); along > 1)
-                open_[i] = open_points(scene, scene.patch(i), along, fan);
+        for (std::uint32_t i = first; i < end; ++i) {
+            const bool is_whole = touched[i] == 0; // one point decides
+            const double points = density[is_whole ? 0 : 1] * scene.area(i);
+            std::uint8_t& along = along_[i];
+            for (along = most_along; along > 1 && along * along > points;)
+                along /= 2;
+            const std::uint64_t all = ~std::uint64_t{0} >> (64 - along * along);
+            if (is_whole)
+                open_[i] = open_points(scene, scene.patch(i), 1, fan) != 0 ? all : 0;
+            else // a single point would not do: all or nothing would be covered
+                open_[i] = along > 1 ? open_points(scene, scene.patch(i), along, fan) : all;
+        }
     });
-}
-
-std::uint32_t VisiblePatches::samples_along(std::uint32_t patch) const
-{
-    const double points = points_per_area_ * scene_.area(patch);
-    auto along = static_cast<std::uint32_t>(most_along);
-    while (along > 1 && along * along > points)
-        along /= 2;
-    return along;
 }
 
 double VisiblePatches::open_share(std::uint32_t patch) const
 {
-    const std::uint32_t along = samples_along(patch);
+    const std::uint32_t along = along_[patch];
     return static_cast<double>(std::bitset<64>(open_[patch]).count()) / (along * along);
 }
 
@@ -127,7 +154,7 @@ Rgb VisiblePatches::value(std::uint32_t patch) const
 std::optional<Vec3> VisiblePatches::open_point_near(std::uint32_t patch, Vec3 corner) const
 {
     const Surface shape = scene_.patch(patch).shape;
-    const std::uint32_t along = samples_along(patch);
+    const std::uint32_t along = along_[patch];
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - along * along);
     if (open_[patch] == all && shape.shape == Shape::parallelogram && dot(shape.edge_u, shape.edge_v) == 0.0) {
         const auto nearest_along = [&](Vec3 edge) {

@@ -16,8 +16,9 @@ namespace multipath {
 bool is_covered(const Scene& scene, std::uint32_t surface, const Surface& shape, Vec3 point);
 
 /// The uncovered ("open") parts of the patches. The part of a patch on which furniture stands is dark, so that the
-/// value on the open part is larger than the mean over the patch. Coverage is sampled with 64 points per patch. In
-/// scenes with very many patches small patches get fewer points, and the smallest count as open, to save time.
+/// value on the open part is larger than the mean over the patch. Coverage is sampled with 64 points on
+/// patches that touch another surface, and with one on others, which are open or covered as a whole. Where very many
+/// touch, small ones get fewer points, and the smallest count as open, to save time.
 class VisiblePatches
 {
 public:
@@ -41,11 +42,9 @@ public:
     bool are_joined(std::uint32_t a, std::uint32_t b) const;
 
 private:
-    std::uint32_t samples_along(std::uint32_t patch) const; ///< number of sample points along an edge: 1, 2, 4 or 8
-
     const Scene& scene_;
     const std::vector<Rgb>& values_;
-    double points_per_area_; ///< [1/m^2] upper bound of the density of sample points; infinite if there are few patches
+    std::vector<std::uint8_t> along_; ///< per patch: number of sample points along an edge: 1, 2, 4 or 8
     std::vector<std::uint64_t> open_; ///< per patch: one bit per sample point, set if it is open
 };
 

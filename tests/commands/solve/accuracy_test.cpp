@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace accuracy_test {
 
 using namespace multipath;
@@ -50,7 +52,7 @@ TEST_CASE("rounds end when the tolerance is reached by as many lines as make the
     CHECK_FALSE(limit.go_on(round_of(4000, 0.01), 3.0));
 }
 
-// 3^2 + 4^2 = 5^2. Where the patches leave nothing, the noise is still to be half the tolerance.
+// 3^2 + 4^2 = 5^2. Where the patches leave less than 0.19 of the square, the noise still gets this.
 TEST_CASE("the noise gets what the patches leave of the tolerance")
 {
     Accuracy accuracy;
@@ -59,10 +61,12 @@ TEST_CASE("the noise gets what the patches leave of the tolerance")
     accuracy.patch_error = 0.03;
     CHECK(accuracy.noise_tolerance() == doctest::Approx(0.04));
     accuracy.patch_error = 0.2;
-    CHECK(accuracy.noise_tolerance() == doctest::Approx(0.025));
+    CHECK(accuracy.noise_tolerance() == doctest::Approx(0.05 * std::sqrt(0.19)));
+    accuracy.patch_error = accuracy.patch_tolerance();
+    CHECK(std::hypot(*accuracy.patch_error, accuracy.noise_tolerance()) == doctest::Approx(0.05));
     RoundLimit limit(accuracy, 0);
-    CHECK(limit.go_on(round_of(1000, 0.026), 1.0));
-    CHECK_FALSE(limit.go_on(round_of(1000, 0.025), 2.0));
+    CHECK(limit.go_on(round_of(1000, 0.022), 1.0));
+    CHECK_FALSE(limit.go_on(round_of(1000, 0.0217), 2.0));
 }
 
 } // namespace accuracy_test

@@ -53,11 +53,11 @@ bool warns(const std::string& text, const char* of)
 
 } // namespace
 
-TEST_CASE("power that is not distributed is warned of above 5 %, power lost behind surfaces above 0.01 %")
+TEST_CASE("power that is not distributed is warned of above 5 %, power lost behind surfaces above 0.1 %")
 {
     CHECK(warns(summary_of(0.06, 0.0), "6 % of the power is not distributed yet"));
-    CHECK(warns(summary_of(0.0, 0.0002), "0.02 % of the power met surfaces from behind"));
-    CHECK_FALSE(warns(summary_of(0.04, 0.00005), ""));
+    CHECK(warns(summary_of(0.0, 0.002), "0.2 % of the power met surfaces from behind"));
+    CHECK_FALSE(warns(summary_of(0.04, 0.0005), ""));
 }
 
 TEST_CASE("little unshot power is warned of where it would be reflected many times")
