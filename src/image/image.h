@@ -43,4 +43,13 @@ std::string ppm_bytes(const ScreenImage& image, const std::string& comment = "")
 /// Bytes of a portable float map (PFM, PF): radiosities [W/m^2] in single precision, little endian, bottom row first.
 std::string pfm_bytes(const Image& image);
 
+/// Bytes of a Radiance picture (RGBE, not run-length encoded): 8 bits for each channel with a common exponent, that is
+/// 0.4 % of the largest. EXPOSURE tells readers of radiances that the values are radiosities [W/m^2], pi times as
+/// large. Control characters in `comment` become spaces.
+std::string hdr_bytes(const Image& image, const std::string& comment = "");
+
+/// Bytes of an OpenEXR picture (version 2, scan lines, not compressed): radiosities [W/m^2] as half floats, of at most
+/// 65504. `comment` becomes the attribute `comments`, unless it is empty.
+std::string exr_bytes(const Image& image, const std::string& comment = "");
+
 } // namespace multipath

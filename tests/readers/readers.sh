@@ -1,5 +1,7 @@
-# The meshes as independent programs read them: three.js (in node, and in a browser), Khronos' validator, assimp.
-# usage: readers.sh PROGRAM ROOT [SCREENSHOT]     in an empty folder; needs node, npm, assimp and a browser (CHROMIUM)
+# Meshes and pictures as independent programs read them: three.js (in node, and in a browser), Khronos' validator, assimp,
+# ImageMagick.
+# usage: readers.sh PROGRAM ROOT [SCREENSHOT]     in an empty folder; needs node, npm, assimp, ImageMagick with OpenEXR and
+# a browser (CHROMIUM)
 . "$2/tests/cli/check.sh"
 screenshot=${3:-inside.png}
 chromium=${CHROMIUM:-chromium}
@@ -60,6 +62,23 @@ assimp_reads() {
     node assimp_meshes.mjs
 }
 check "assimp reads the areas, colours and names" assimp_reads
+
+# ImageMagick clips at 1. Half floats have 11 bits, the channels of RGBE 8 below that of the largest.
+# usage: same_numbers FILE ERROR       ERROR: in a channel, as a share of the largest channel of the pixel
+same_numbers() {
+    convert "$1" -set colorspace sRGB -flip -depth 16 -endian LSB rgb:numbers && od -An -v -tu2 -w6 numbers >read &&
+        tail -n +4 linear.pfm | od -An -v -tf4 -w12 | paste - read | awk -v error="$2" '
+            { most = $1 > $2 ? $1 : $2; most = most > $3 ? most : $3 }
+            { for (k = 1; k <= 3; ++k) { e = $(k + 3) / 65535 - ($k < 1 ? $k : 1); bad += e * e > (error * most + 1e-5) ^ 2 } }
+            most > 0.01 && most < 1 { ++inside }
+            END { exit !(bad == 0 && NR == 4800 && inside > 2000) }'
+}
+linear_pictures() {
+    ends 0 solve "$root/scenes/5cubes.obj" --lines 2^15 --size 80x60 --quiet -o linear.pfm -o linear.exr -o linear.hdr &&
+        same_numbers linear.exr 5e-4 && same_numbers linear.hdr 8e-3 &&
+        grep -aq "command: multipath solve" linear.exr && grep -aq "command: multipath solve" linear.hdr
+}
+check "ImageMagick reads the pictures with numbers" linear_pictures
 
 # usage: browse FILES OPTIONS...        files with commas between them
 browse() {

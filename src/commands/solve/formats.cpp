@@ -107,6 +107,9 @@ public:
         return once(screen_, [&] { return screen_picture(scene, shown, camera(), options); });
     }
 
+    /// The picture as numbers.
+    Image linear() const { return render(scene, shown, camera(), options.render); }
+
     /// The grid of --grid, which must be given.
     const LightGrid& grid()
     {
@@ -238,7 +241,11 @@ constexpr std::array known_formats = {
     OutputFormat{".ppm", FormatKind::picture, "picture, binary PPM (P6)",
                  [](SolvedScene& s) { return ppm_bytes(s.screen(), s.one_comment()); }},
     OutputFormat{".pfm", FormatKind::picture, "picture as numbers in W/m^2, not tone-mapped",
-                 [](SolvedScene& s) { return pfm_bytes(render(s.scene, s.shown, s.camera(), s.options.render)); }},
+                 [](SolvedScene& s) { return pfm_bytes(s.linear()); }},
+    OutputFormat{".exr", FormatKind::picture, "the same as half floats, OpenEXR",
+                 [](SolvedScene& s) { return exr_bytes(s.linear(), s.one_comment()); }},
+    OutputFormat{".hdr", FormatKind::picture, "the same as bytes with exponents, Radiance RGBE",
+                 [](SolvedScene& s) { return hdr_bytes(s.linear(), s.one_comment()); }},
     OutputFormat{".png", FormatKind::picture, "picture",
                  [](SolvedScene& s) { return png_bytes(s.screen(), s.one_comment()); }},
     OutputFormat{".csv", FormatKind::table, "table; for a solved scene one row per patch",
