@@ -29,9 +29,8 @@ struct Advice
 
 /// An error in what the user supplied (exit code 1). For an error in a file the message is "file:line: what is wrong,
 /// what was expected", without the line if the file as a whole is meant.
-class InputError : public std::runtime_error
+struct InputError : std::runtime_error
 {
-public:
     explicit InputError(const std::string& message, std::vector<Advice> remedies = {})
         : std::runtime_error(message), advice(std::move(remedies))
     {
@@ -42,47 +41,41 @@ public:
 
 /// An error in the options (exit code 2): they do not suit a scene whose file is valid. Unlike an error in the command
 /// line itself, it is found only after the file has been read.
-class SettingsError : public InputError
+struct SettingsError : InputError
 {
-public:
     using InputError::InputError;
 };
 
 /// The command line is wrong (exit code 2). The message is one line without the name of the program. main(), which
 /// knows the command, adds the way to its help.
-class UsageError : public std::runtime_error
+struct UsageError : std::runtime_error
 {
-public:
-    explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+    using std::runtime_error::runtime_error;
 };
 
 /// A saved state cannot be read, is damaged or belongs to other work (exit code 1).
-class ArchiveError : public std::runtime_error
+struct ArchiveError : std::runtime_error
 {
-public:
-    explicit ArchiveError(const std::string& message) : std::runtime_error(message) {}
+    using std::runtime_error::runtime_error;
 };
 
 /// An error in an image file. The message does not name the file: it is a predicate of which the file is the subject
 /// ("ends too early"), or a sentence of its own ("12 bits per pixel are not supported").
-class ImageError : public std::runtime_error
+struct ImageError : std::runtime_error
 {
-public:
-    explicit ImageError(const std::string& message) : std::runtime_error(message) {}
+    using std::runtime_error::runtime_error;
 };
 
 /// A result could not be written (exit code 1). The message is one line, such as "cannot write out/room.png: No space
 /// left on device".
-class OutputError : public std::runtime_error
+struct OutputError : std::runtime_error
 {
-public:
-    explicit OutputError(const std::string& message) : std::runtime_error(message) {}
+    using std::runtime_error::runtime_error;
 };
 
 /// The reader of standard output has closed it (EPIPE), as `head` does. The exit code is 1, but no message is printed.
-class ReaderGone : public OutputError
+struct ReaderGone : OutputError
 {
-public:
     using OutputError::OutputError;
 };
 

@@ -12,9 +12,8 @@
 namespace multipath {
 
 /// A method has found no sound solution with its lines. Particles find one (Solution::by_particles).
-class NoSolution : public InputError
+struct NoSolution : InputError
 {
-public:
     using InputError::InputError;
 };
 
