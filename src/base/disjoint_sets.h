@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -30,10 +32,7 @@ public:
     /// The root of each number.
     std::vector<std::uint32_t> roots()
     {
-        std::vector<std::uint32_t> result;
-        for (std::uint32_t a = 0; a < parent_.size(); ++a)
-            result.push_back(root(a));
-        return result;
+        return serial_list(static_cast<std::uint32_t>(parent_.size()), [this](std::uint32_t a) { return root(a); });
     }
 
 private:

@@ -1,5 +1,6 @@
 #include "check/scene_check.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "geometry/intersector/intersector.h"
 #include "geometry/intersector/surface_sizes.h"
@@ -140,7 +141,7 @@ public:
         scale();
         for (Finding& finding : findings_)
             finding.makes_wrong_result = std::max(finding.power_share, finding.area_share) >= share_that_matters &&
-                                         std::find(remarks.begin(), remarks.end(), finding.kind) == remarks.end();
+                                         !is_among(finding.kind, remarks);
         std::stable_sort(findings_.begin(), findings_.end(), [](const Finding& a, const Finding& b) {
             return std::tie(a.makes_wrong_result, a.power_share, a.area_share) >
                    std::tie(b.makes_wrong_result, b.power_share, b.area_share);
@@ -169,10 +170,7 @@ private:
     /// The first surfaces by name.
     std::string names_of(const std::vector<std::uint32_t>& surfaces) const
     {
-        std::vector<std::string> names;
-        for (const std::uint32_t s : surfaces)
-            names.push_back(name_of(s));
-        return first_of(names, most_names);
+        return first_of(mapped(surfaces, [this](std::uint32_t s) { return name_of(s); }), most_names);
     }
 
     /// The surfaces that lines meet from behind, those that most lines meet first.
@@ -349,10 +347,8 @@ private:
 
     void unknown_materials()
     {
-        const std::vector<std::string>& unknown = file_.unknown_materials;
         add_materials(
-            "unknown-material",
-            [&](const Material& m) { return std::find(unknown.begin(), unknown.end(), m.name) != unknown.end(); },
+            "unknown-material", [this](const Material& m) { return is_among(m.name, file_.unknown_materials); },
             "materials that are not defined, grey 0.5 stands in: ", "; define them in an MTL file");
     }
 

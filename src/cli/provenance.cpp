@@ -1,5 +1,6 @@
 #include "cli/provenance.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/version.h"
 
@@ -21,7 +22,7 @@ std::string command_text(const CommandLine& line, const std::vector<std::string>
     std::string options;
     for (const Option& option : all_options(line.table().groups))
         for (const std::string& value : line.all(option.name))
-            if (is_recorded(option.name) && std::find(left_out.begin(), left_out.end(), option.name) == left_out.end())
+            if (is_recorded(option.name) && !is_among(option.name, left_out))
                 options += option_text(option.name, value);
     std::string words;
     for (const std::string& operand : operands)
@@ -33,7 +34,7 @@ std::string command_text(const CommandLine& line, const std::vector<std::string>
 
 bool is_recorded(std::string_view option)
 {
-    return std::find(without_effect.begin(), without_effect.end(), option) == without_effect.end();
+    return !is_among(option, without_effect);
 }
 
 std::vector<std::string> provenance(const CommandLine& line, const Scene& scene,

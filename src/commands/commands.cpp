@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "cli/options/command_line.h"
 
 #include <algorithm>
@@ -25,10 +26,7 @@ Command command_named(const std::string& name)
 
 std::vector<CommandTable> tables_of(const std::vector<Command>& commands)
 {
-    std::vector<CommandTable> tables;
-    for (const Command& command : commands)
-        tables.push_back(command.table);
-    return tables;
+    return mapped(commands, &Command::table);
 }
 
 } // namespace multipath

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
@@ -33,7 +34,7 @@ Stage read_stage(const CommandLine& line)
     const std::string_view before_pass = later_pass.substr(0, later_pass.find(':') + 1);
     const bool pass_named = text.compare(0, before_pass.size(), before_pass) == 0;
     const std::string_view name = pass_named ? later_pass : std::string_view(text);
-    if (std::find(stages.begin(), stages.end(), name) == stages.end())
+    if (!is_among(name, stages))
         throw UsageError("--stage: expected one of " + join(stages) + " with --method " + line.text("method") +
                          ", got " + quoted_argument(text));
     const auto* const stage =
@@ -64,7 +65,7 @@ int run_explain(const CommandLine& line)
     for (PlannedOutput& output : outputs)
         output.file.write(draw_lines(run, trace, up, provenance(line, scene)));
     commit(outputs);
-    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
+    if (!is_among("-", paths))
         print(trace_text(run, trace));
     return 0;
 }

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
@@ -78,9 +79,7 @@ std::string merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene
     whole.description.visit(sum);
     if (job.options.method->shards == Shards::added) {
         require_same_stage(runs);
-        std::vector<Archive*> shards;
-        for (SavedRun& run : runs)
-            shards.push_back(run.arrays.get());
+        const auto shards = mapped(runs, [](const SavedRun& run) -> Archive* { return run.arrays.get(); });
         add_up_shards(shards, runs[0].parts, scene.patch_count(), job.options.threads, sum);
     } else {
         average(runs, scene, job.options.lines, sum);
@@ -92,9 +91,7 @@ std::string merged(std::vector<SavedRun>& runs, const SolveJob& job, const Scene
 
 int run_merge(const CommandLine& line)
 {
-    std::vector<SavedRun> runs;
-    for (const std::string& path : line.operands())
-        runs.push_back(read_saved_run(path));
+    std::vector<SavedRun> runs = mapped(line.operands(), [](const std::string& path) { return read_saved_run(path); });
     if (runs.size() == 1 && runs[0].description.shard.of == 1)
         throw InputError(runs[0].name() +
                          ": the state of a whole run, not of a shard; 'multipath render' makes outputs from it");

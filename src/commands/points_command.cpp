@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
@@ -198,8 +199,7 @@ int run_discrepancy(const CommandLine& line)
     for (PlannedOutput& output : outputs)
         output.file.write(discrepancy_table(rows, comments));
     commit(outputs);
-    const bool table_on_stdout = std::find(paths.begin(), paths.end(), "-") != paths.end();
-    if (!table_on_stdout)
+    if (!is_among("-", paths))
         print(range_words(range) + format("; dimensions: %d\n\n", range.sequence->dimensions()) +
               discrepancy_text(rows));
     return 0;

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/lists.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/command_line.h"
@@ -69,7 +70,7 @@ int run_selftest(const CommandLine& line)
     for (PlannedOutput& output : outputs)
         output.file.write(checks_csv(checks, comments));
     commit(outputs);
-    if (std::find(paths.begin(), paths.end(), "-") == paths.end())
+    if (!is_among("-", paths))
         print(checks_text(checks, line.has("quiet")));
     return SignificanceTest(checks).failures() == 0 ? 0 : 1;
 }

@@ -3,6 +3,7 @@
 // solve_job.cpp solves and writes the outputs.
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/files/interrupt.h"
 #include "cli/files/standard_streams.h"
@@ -40,8 +41,7 @@ void print_what_was_read(const SceneFile& file)
 
 void require_one_on_standard_output(const CommandLine& line)
 {
-    const std::vector<std::string> outputs = line.all("output");
-    if (line.has("json") && std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
+    if (line.has("json") && is_among("-", line.all("output")))
         throw UsageError("--json and --output - would both write to standard output; expected a file for one of them");
 }
 
@@ -175,7 +175,7 @@ std::vector<double> weight_of_named(const Scene& scene, const std::string& name)
         if (!scene.is_sky(surface) && (file.is_named(surface, name) || scene.material_of(i).name == name))
             weight[i] = 1.0;
     }
-    if (std::find(weight.begin(), weight.end(), 1.0) == weight.end())
+    if (!is_among(1.0, weight))
         throw InputError(scene.path() + ": --important: no object or material is called '" + name +
                          "'; 'multipath check' lists them");
     return weight;

@@ -1,6 +1,7 @@
 #include "image/camera.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "image/image.h"
 #include "parallel/blocks.h"
 #include "sampling/warp.h"
@@ -118,9 +119,7 @@ std::vector<std::optional<Hit>> visible_hits(const Scene& scene, const PixelRays
     std::vector<std::optional<Hit>> hits(pixel_index(rays.width(), 0, rays.height()));
     parallel_blocks(static_cast<std::uint64_t>(rays.height()), threads, [&](std::uint64_t row) {
         const int y = static_cast<int>(row);
-        std::vector<Line> lines;
-        for (int x = 0; x < rays.width(); ++x)
-            lines.push_back(rays.through(x + 0.5, y + 0.5));
+        const auto lines = serial_list(rays.width(), [&](int x) { return rays.through(x + 0.5, y + 0.5); });
         VisibleHits visible(scene);
         const std::vector<std::optional<Hit>>& found = visible.first(lines);
         std::copy(found.begin(), found.end(), &hits[pixel_index(rays.width(), 0, y)]);

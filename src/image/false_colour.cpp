@@ -1,6 +1,7 @@
 #include "image/false_colour.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "image/colour_scale.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
@@ -22,40 +23,32 @@ std::vector<Rgb> irradiance(const Scene& scene, const std::vector<Rgb>& radiosit
         // A mean over replicates may be slightly below E because of rounding.
         return rho < least_reflectance ? std::numeric_limits<double>::quiet_NaN() : std::max(0.0, b - e) / rho;
     };
-    std::vector<Rgb> result;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        result.push_back(by_channel(arriving, radiosity[i], scene.emittance(i), scene.reflectance(i)));
-    return result;
+    return serial_list(scene.patch_count(), [&](std::uint32_t i) {
+        return by_channel(arriving, radiosity[i], scene.emittance(i), scene.reflectance(i));
+    });
 }
 
 std::vector<Rgb> magnitudes(const std::vector<Rgb>& values)
 {
-    std::vector<Rgb> result;
-    for (const Rgb& value : values)
-        result.push_back(by_channel([](double x) { return std::abs(x); }, value));
-    return result;
+    return mapped(values, [](Rgb value) { return by_channel([](double x) { return std::abs(x); }, value); });
 }
 
 std::vector<Rgb> normal_colours(const Scene& scene)
 {
-    std::vector<Rgb> colours;
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i) {
+    return serial_list(scene.patch_count(), [&](std::uint32_t i) {
         const Vec3 n = scene.patch(i).shape.normal();
-        colours.push_back(srgb_decoded(Rgb{0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z}));
-    }
-    return colours;
+        return srgb_decoded(Rgb{0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z});
+    });
 }
 
 std::vector<Rgb> patch_colours(std::size_t patches)
 {
     constexpr double chroma = 0.075; // a screen can show all hues of this chroma at these lightnesses
-    std::vector<Rgb> colours;
-    for (std::size_t patch = 0; patch < patches; ++patch) {
+    return serial_list(patches, [&](std::size_t patch) {
         const double angle = 2.0 * pi * bits_to_unit(random_bits(0, 2 * patch));
         const double lightness = 0.45 + 0.39 * bits_to_unit(random_bits(0, 2 * patch + 1));
-        colours.push_back(linear_light({lightness, chroma * elementary::cos(angle), chroma * elementary::sin(angle)}));
-    }
-    return colours;
+        return linear_light({lightness, chroma * elementary::cos(angle), chroma * elementary::sin(angle)});
+    });
 }
 
 // A false-colour picture is made in three steps. The values at the pixel centres tell the range that is visible, from
@@ -204,9 +197,7 @@ ScreenImage false_colour(const Scene& scene, const Quantity& quantity, const Cam
     const int legend_rows = legend_height(options.width, options.height, quantity.title);
     const Camera view = cropped(camera, options.height, options.height - legend_rows);
     options.height -= legend_rows;
-    std::vector<double> values;
-    for (const Rgb& value : quantity.values)
-        values.push_back(mean(value));
+    const std::vector<double> values = mapped(quantity.values, [](Rgb value) { return mean(value); });
     const std::vector<std::optional<Hit>> hits =
         visible_hits(scene, PixelRays(view, options.width, options.height), options.threads);
     Legend legend = legend_for(quantity.title, sorted_seen_values(scene, values, hits));

@@ -2,6 +2,7 @@
 
 #include "image/view_quality.h"
 
+#include "base/lists.h"
 #include "geometry/polygon.h"
 #include "image/tone_map.h"
 
@@ -85,10 +86,7 @@ void add_ray(const LitScene& lit_scene, const Line& ray, Vec3 up, const Hit* nea
 /// Sum of the brightness of the pixels: 1 for each that has at least the usual radiosity [W/m^2].
 double brightness(const std::vector<Rgb>& pixels, double usual)
 {
-    double sum = 0.0;
-    for (const Rgb pixel : pixels)
-        sum += std::min(1.0, mean(pixel) / usual);
-    return sum;
+    return sum_over(pixels, [&](Rgb pixel) { return std::min(1.0, mean(pixel) / usual); });
 }
 
 /// Number of pixels that the automatic exposure shows white, or almost black.
@@ -149,9 +147,7 @@ std::vector<LitSide> lit_sides(const Scene& scene, const std::vector<Rgb>& radio
 double lit_threshold(std::vector<LitSide> sides)
 {
     std::sort(sides.begin(), sides.end(), [](const LitSide& a, const LitSide& b) { return a.radiosity < b.radiosity; });
-    double all = 0.0;
-    for (const LitSide& side : sides)
-        all += side.power;
+    const double all = sum_over(sides, &LitSide::power);
     double passed = 0.0;
     for (const LitSide& side : sides)
         if ((passed += side.power) > in_the_dark * all)
@@ -191,7 +187,7 @@ LitScene::LitScene(const Scene& whole, const std::vector<Rgb>& solution)
       box(whole.own_bounds()),
       is_lit(solution.empty() ? std::vector<bool>() : lit_patches(whole, solution))
 {
-    if (std::find(is_lit.begin(), is_lit.end(), true) == is_lit.end())
+    if (!is_among(true, is_lit))
         is_lit.assign(whole.patch_count(), true);
     for (std::uint32_t s = 0; s < scene.own_surfaces(); ++s)
         weight += multipath::weight(scene.surfaces()[s]);
@@ -217,9 +213,7 @@ ViewQuality view_quality(const LitScene& lit_scene, const Camera& camera, double
     ViewCounts view;
     for (std::size_t k = 0; k < lines.size(); ++k)
         add_ray(lit_scene, lines[k], up, visible.nearest().is_hit(k) ? &visible.nearest()[k] : nullptr, hits[k], view);
-    double seen = 0.0;
-    for (const std::uint32_t surface : view.surfaces)
-        seen += weight(scene.surfaces()[surface]);
+    const double seen = sum_over(view.surfaces, [&](std::uint32_t s) { return weight(scene.surfaces()[s]); });
 
     // The weights are empirical.
     const double count = static_cast<double>(columns) * rows;

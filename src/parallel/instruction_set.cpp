@@ -1,5 +1,7 @@
 #include "parallel/instruction_set.h"
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <cfloat>
 #include <cstdlib>
@@ -104,10 +106,7 @@ bool usable(std::string_view instruction_set)
 
 std::vector<std::string> instruction_sets()
 {
-    std::vector<std::string> names;
-    for (const NamedSet& set : all_sets)
-        names.emplace_back(set.name);
-    return names;
+    return mapped(all_sets, [](const NamedSet& set) { return std::string(set.name); });
 }
 
 bool kernel_limit_is_known()

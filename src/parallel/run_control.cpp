@@ -5,6 +5,7 @@
 #include "parallel/run_control.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 
 #include <utility>
 
@@ -42,10 +43,7 @@ void Checkpoint::Part::visit_part(Archive& archive) const
 
 std::vector<std::string> Checkpoint::parts() const
 {
-    std::vector<std::string> names;
-    for (const Part* part : under_way_)
-        names.push_back(part->name_);
-    return names;
+    return mapped(under_way_, &Part::name_);
 }
 
 void Checkpoint::save(Archive& archive) const

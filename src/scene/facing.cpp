@@ -8,13 +8,13 @@
 #include "scene/facing.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "geometry/intersector/hit_lists.h"
 #include "scene/random_ray.h"
 #include "scene/surface_edges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -79,10 +79,7 @@ public:
 
     double area(std::uint32_t part) const
     {
-        double sum = 0.0;
-        for (const std::uint32_t s : members_[part])
-            sum += scene_.file.surfaces[s].area();
-        return sum;
+        return sum_over(members_[part], [this](std::uint32_t s) { return scene_.file.surfaces[s].area(); });
     }
 
     /// True if the winding number is an integer directly behind up to 16 surfaces of the part.
@@ -102,10 +99,8 @@ public:
     {
         const Surface& face = scene_.file.surfaces[surface];
         const Vec3 point = face.centre() - scene_.small_distance() * face.normal();
-        double sum = 0.0;
-        for (const std::uint32_t s : members_[part_[surface]])
-            sum += solid_angle(scene_.file.surfaces[s], point);
-        return sum / (4.0 * pi);
+        const auto angle = [&](std::uint32_t s) { return solid_angle(scene_.file.surfaces[s], point); };
+        return sum_over(members_[part_[surface]], angle) / (4.0 * pi);
     }
 
     bool reaches_all_sides(std::uint32_t part) const
@@ -305,9 +300,7 @@ private:
 
     bool is_housing(std::uint32_t part, const Arrivals& light)
     {
-        double lamps = 0.0; // [m^2]
-        for (const std::uint32_t s : parts().members(part))
-            lamps += light.lamps[s];
+        const double lamps = sum_over(parts().members(part), [&](std::uint32_t s) { return light.lamps[s]; }); // [m^2]
         return parts().area(part) <= 4.0 * lamps;
     }
 

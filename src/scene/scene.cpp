@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/mix_bits.h"
 #include "geometry/intersector/hit_lists.h"
 #include "geometry/intersector/intersector.h"
@@ -160,9 +161,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
 
 void Scene::number_cells()
 {
-    std::uint64_t cells = 0;
-    for (const Tessellation& tessellation : tessellations_)
-        cells += tessellation.cell_count();
+    const std::uint64_t cells = sum_over(tessellations_, &Tessellation::cell_count);
     const std::uint64_t patches = two_sided_ ? 2 * cells : cells;
     constexpr std::uint64_t patch_limit = std::uint64_t{1} << 31;
     if (patches >= patch_limit)
@@ -187,10 +186,7 @@ namespace {
 /// The number of these points of a surface that the sun reaches.
 std::size_t count_sunlit(const Scene& scene, std::uint32_t surface, const std::vector<Vec3>& points)
 {
-    std::vector<Line> rays;
-    rays.reserve(points.size());
-    for (const Vec3 point : points)
-        rays.push_back({point, scene.file().sun->direction});
+    const std::vector<Line> rays = mapped(points, [&](Vec3 point) { return Line{point, scene.file().sun->direction}; });
     const std::vector<std::uint32_t> from(points.size(), surface);
     FirstHits hits;
     scene.intersector().closest_hits_from(from.data(), rays.data(), rays.size(), hits);
@@ -336,18 +332,12 @@ std::vector<std::uint8_t> Scene::levels() const
 
 std::vector<double> Scene::areas() const
 {
-    std::vector<double> areas(patch_count_);
-    for (std::uint32_t i = 0; i < patch_count_; ++i)
-        areas[i] = area(i);
-    return areas;
+    return serial_list(patch_count_, [this](std::uint32_t i) { return area(i); });
 }
 
 std::vector<double> Scene::weights() const
 {
-    std::vector<double> weights = areas();
-    for (std::uint32_t i = 0; i < patch_count_; ++i)
-        weights[i] = is_sky_patch(i) ? 0.0 : weights[i];
-    return weights;
+    return serial_list(patch_count_, [this](std::uint32_t i) { return is_sky_patch(i) ? 0.0 : area(i); });
 }
 
 Patch Scene::patch(std::uint32_t patch) const

@@ -8,6 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "geometry/intersector/surface_sizes.h"
 
 #include <algorithm>
@@ -168,12 +169,10 @@ Tessellation tessellate(const Surface& surface, double patch_size)
 
 double cell_count(const SurfaceList& surfaces, double patch_size)
 {
-    double sum = 0.0;
-    for (const Surface& surface : surfaces) {
+    return sum_over(surfaces, [&](const Surface& surface) {
         const CellCounts cells = cell_counts(surface, patch_size);
-        sum += cells.along_u * cells.along_v;
-    }
-    return sum;
+        return cells.along_u * cells.along_v;
+    });
 }
 
 namespace {
@@ -187,14 +186,6 @@ double round_size(int k)
     return exponent < 0 ? mantissa / elementary::pow(10.0, -exponent) : mantissa * elementary::pow(10.0, exponent);
 }
 
-double total_area(const SurfaceList& surfaces)
-{
-    double area = 0.0;
-    for (const Surface& surface : surfaces)
-        area += surface.area();
-    return area;
-}
-
 /// True if this patch size gives more than `count` cells. Every surface has at least one.
 bool has_more_cells(const SurfaceList& surfaces, double patch_size, std::uint64_t count)
 {
@@ -205,7 +196,7 @@ bool has_more_cells(const SurfaceList& surfaces, double patch_size, std::uint64_
 
 double default_patch_size(const SurfaceList& surfaces)
 {
-    const double wanted = std::sqrt(total_area(surfaces) / 2500.0);
+    const double wanted = std::sqrt(sum_over(surfaces, &Surface::area) / 2500.0);
     int k = 10 * static_cast<int>(std::floor(elementary::log10(wanted)));
     while (round_size(k + 1) <= wanted)
         ++k;
@@ -223,7 +214,7 @@ double default_patch_size(const SurfaceList& surfaces)
 double patch_size_for_count(const SurfaceList& surfaces, std::uint64_t wanted)
 {
     // The count falls with the size: bisection between cells of a quarter of the mean area and no division at all.
-    double too_small = 0.5 * std::sqrt(total_area(surfaces) / static_cast<double>(wanted));
+    double too_small = 0.5 * std::sqrt(sum_over(surfaces, &Surface::area) / static_cast<double>(wanted));
     double enough = bounds_of(surfaces).diagonal();
     for (int step = 0; step < 50 && enough > too_small; ++step) {
         const double middle = 0.5 * (too_small + enough);

@@ -1,6 +1,7 @@
 #include "viewer/viewer_page.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "base/little_endian.h"
 #include "base/text_format.h"
 #include "export/html_text.h"
@@ -164,24 +165,20 @@ JsonObject line_json(const Scene& scene, const TracedLine& line)
     std::vector<double> crossings;
     for (const Crossing& crossing : line.crossings)
         append_point(crossings, crossing.point - origin);
-    std::vector<JsonObject> transfers;
-    for (const Transfer& transfer : line.transfers)
-        transfers.push_back(transfer_json(scene, transfer));
+    const auto json_of = [&](const Transfer& transfer) { return transfer_json(scene, transfer); };
     return JsonObject()
         .numbers("points", points)
         .numbers("joins", {line.joins.begin(), line.joins.end()})
         .numbers("crossings", crossings)
-        .objects("transfers", transfers);
+        .objects("transfers", mapped(line.transfers, json_of));
 }
 
 /// A chapter of traced lines as the page reads it: every line is a polyline with the transfers of power along its
 /// segments. Numbers have six digits: they are shown, not computed with.
 JsonObject chapter_json(const Scene& scene, const StageTrace& chapter)
 {
-    std::vector<JsonObject> lines;
-    for (const TracedLine& line : chapter.lines)
-        lines.push_back(line_json(scene, line));
-    return JsonObject().text("note", join(chapter.context, " ")).objects("lines", lines);
+    const auto json_of = [&](const TracedLine& line) { return line_json(scene, line); };
+    return JsonObject().text("note", join(chapter.context, " ")).objects("lines", mapped(chapter.lines, json_of));
 }
 
 /// The mapping of surfaces to their textures (TextureFrame), six numbers each; NaN for a surface without a texture.
@@ -310,9 +307,7 @@ JsonObject legend_json(const std::vector<double>& values)
     std::copy_if(values.begin(), values.end(), std::back_inserter(sorted), [](double x) { return std::isfinite(x); });
     std::sort(sorted.begin(), sorted.end());
     const LegendScale scale = round_scale(sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) * 99 / 100]);
-    std::vector<std::string> numbers;
-    for (int step = 0; step <= scale.steps; ++step)
-        numbers.push_back(scale.number(step));
+    std::vector<std::string> numbers = serial_list(scale.steps + 1, [&](int step) { return scale.number(step); });
     if (!sorted.empty() && sorted.back() > scale.top())
         numbers.back() += "+";
     return JsonObject().number("top", scale.top()).texts("numbers", numbers);
@@ -340,9 +335,7 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, int
         json.text("own_places", packed_counts(corners.own_places));
         return json;
     }
-    std::vector<double> means;
-    for (const Rgb& value : quantity.values)
-        means.push_back(mean(value));
+    const std::vector<double> means = mapped(quantity.values, [](Rgb value) { return mean(value); });
     json.text("values", packed_numbers(means));
     json.object("legend", legend_json(means));
     return json;
@@ -351,12 +344,8 @@ JsonObject quantity_json(const Scene& scene, const ViewerQuantity& quantity, int
 /// The JSON document of everything that the page shows (docs/builders/page.md).
 std::string room_json(const Scene& scene, const ViewerContent& content)
 {
-    std::vector<JsonObject> quantities;
-    for (const ViewerQuantity& quantity : content.quantities)
-        quantities.push_back(quantity_json(scene, quantity, content.render.threads));
-    std::vector<JsonObject> chapters;
-    for (const StageTrace& chapter : content.chapters)
-        chapters.push_back(chapter_json(scene, chapter));
+    const auto of_quantity = [&](const ViewerQuantity& q) { return quantity_json(scene, q, content.render.threads); };
+    const auto of_chapter = [&](const StageTrace& chapter) { return chapter_json(scene, chapter); };
     return JsonObject()
         .text("scene", scene.path())
         .texts("record", content.record)
@@ -372,9 +361,9 @@ std::string room_json(const Scene& scene, const ViewerContent& content)
         .object("tone", tone_json(scene, content))
         .text("shading", content.render.shading == Shading::flat ? "flat" : "smooth")
         .text("colour_map", packed_colour_map())
-        .objects("quantities", quantities)
+        .objects("quantities", mapped(content.quantities, of_quantity))
         .count("shown", content.shown)
-        .objects("trace", chapters)
+        .objects("trace", mapped(content.chapters, of_chapter))
         .document();
 }
 

@@ -1,6 +1,7 @@
 #include "cli/options/command_line.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/options/spelling.h"
 
@@ -36,7 +37,7 @@ std::string quoted_argument(std::string_view text)
 
 void require_choice(std::string_view option, std::string_view word, const std::vector<std::string_view>& choices)
 {
-    if (std::find(choices.begin(), choices.end(), word) != choices.end())
+    if (is_among(word, choices))
         return;
     throw UsageError(std::string(option) + ": expected one of " + join(choices) + ", got " + quoted_argument(word));
 }
@@ -49,9 +50,7 @@ CommandTable with_help(CommandTable table)
 
 OptionGroup without_options(OptionGroup group, const std::vector<std::string>& names)
 {
-    const auto left_out = [&](const Option& option) {
-        return std::find(names.begin(), names.end(), option.name) != names.end();
-    };
+    const auto left_out = [&](const Option& option) { return is_among(option.name, names); };
     group.options.erase(std::remove_if(group.options.begin(), group.options.end(), left_out), group.options.end());
     return group;
 }
@@ -106,10 +105,8 @@ bool CommandLine::read_option(const std::string& argument, const std::string* ne
         table_, [&](const Option& o) { return is_long ? dashed(o) == name : o.short_name == name.back(); });
     if (option == nullptr) {
         const std::string typed = is_long ? name : argument;
-        std::vector<std::string> known;
-        for (const Option& other : all_options(table_.groups))
-            known.push_back(dashed(other));
-        throw UsageError("unknown option " + quoted_argument(typed) + did_you_mean(typed, known));
+        throw UsageError("unknown option " + quoted_argument(typed) +
+                         did_you_mean(typed, mapped(all_options(table_.groups), dashed)));
     }
     const bool attached = name.size() < argument.size();
     std::string value = attached ? argument.substr(name.size() + (argument[name.size()] == '=' ? 1 : 0)) : "";
@@ -125,7 +122,7 @@ bool CommandLine::read_option(const std::string& argument, const std::string* ne
     std::vector<std::string>& values = given_[std::string(option->name)];
     if (!values.empty() && !option->repeatable)
         throw UsageError(dashed(*option) + " is given twice");
-    if (std::find(values.begin(), values.end(), value) != values.end())
+    if (is_among(value, values))
         throw UsageError(dashed(*option) + ": " + quoted_argument(value) + " is named twice");
     values.push_back(value);
     return takes_next;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -86,10 +88,7 @@ struct NamedValue
 template <typename Rows>
 std::vector<std::string_view> names_of(const Rows& rows)
 {
-    std::vector<std::string_view> names;
-    for (const auto& row : rows)
-        names.push_back(row.name);
-    return names;
+    return mapped(rows, [](const auto& row) -> std::string_view { return row.name; });
 }
 
 /// The row with this name. Throws UsageError with the list of names if there is none; the message begins with `option`.

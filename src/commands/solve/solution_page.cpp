@@ -1,6 +1,7 @@
 #include "commands/solve/solution_page.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "scene/scene_file.h"
 #include "viewer/viewer_page.h"
@@ -43,9 +44,7 @@ std::vector<ViewerQuantity> quantities(const Scene& scene, const Solution& solut
             result.push_back({std::string(shown.name), title, light_units(scene.file()).per_area_utf8, shown.is_room(),
                               shown.values(scene, solution, threads)});
         }
-    std::vector<Rgb> areas;
-    for (const double area : scene.weights())
-        areas.push_back({area, area, area});
+    const std::vector<Rgb> areas = mapped(scene.weights(), [](double area) { return Rgb{area, area, area}; });
     result.push_back({"area", "Patch size", "m²", false, areas});
     return result;
 }

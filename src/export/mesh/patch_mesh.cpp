@@ -1,6 +1,7 @@
 #include "export/mesh/patch_mesh.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "export/mesh/point_grid.h"
 #include "geometry/bounds.h"
 #include "geometry/intersector/intersector.h"
@@ -84,8 +85,7 @@ bool is_covered(const Scene& scene, std::uint32_t number)
         const Vec3 middle = (1.0 / 3.0) * (first.corners[0] + first.corners[1] + first.corners[2]);
         const std::vector<std::uint32_t> there = scene.intersector().coincident_surfaces(patch.surface, middle);
         const auto over = std::find_if(there.begin(), there.end(), [&](std::uint32_t surface) {
-            return lies_over(scene, surface, patch, front) &&
-                   std::find(subtracted.begin(), subtracted.end(), surface) == subtracted.end();
+            return lies_over(scene, surface, patch, front) && !is_among(surface, subtracted);
         });
         if (over == there.end())
             return false;

@@ -1,5 +1,6 @@
 #include "export/svg/point_plots.h"
 
+#include "base/lists.h"
 #include "export/svg/svg_plot.h"
 
 #include <algorithm>
@@ -81,11 +82,9 @@ std::vector<DimensionPair> all_pairs(int dimensions)
 
 std::vector<PlotPoint> projection(const PointSet& points, DimensionPair pair)
 {
-    std::vector<PlotPoint> result;
-    result.reserve(points.size());
-    for (std::size_t n = 0; n < points.size(); ++n)
-        result.push_back({points.at(n, pair.across), points.at(n, pair.up)});
-    return result;
+    return serial_list(points.size(), [&](std::size_t n) {
+        return PlotPoint{points.at(n, pair.across), points.at(n, pair.up)};
+    });
 }
 
 std::string dots_with_axes(const Plot& plot, const std::vector<PlotPoint>& points)

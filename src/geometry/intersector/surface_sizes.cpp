@@ -1,5 +1,6 @@
 #include "geometry/intersector/surface_sizes.h"
 
+#include "base/lists.h"
 #include "geometry/intersector/shared_planes.h"
 
 #include <algorithm>
@@ -55,11 +56,7 @@ std::vector<std::uint32_t> order_by_descending_area(const SurfaceList& surfaces)
     for (const Surface& surface : surfaces)
         by_area.emplace_back(-surface.area(), static_cast<std::uint32_t>(by_area.size()));
     std::sort(by_area.begin(), by_area.end());
-    std::vector<std::uint32_t> order;
-    order.reserve(surfaces.size());
-    for (const auto& [area, surface] : by_area)
-        order.push_back(surface);
-    return order;
+    return mapped(by_area, &std::pair<double, std::uint32_t>::second);
 }
 
 bool is_interior(const SurfaceList& surfaces)

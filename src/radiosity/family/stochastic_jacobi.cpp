@@ -4,6 +4,7 @@
 
 #include "radiosity/family/stochastic_jacobi.h"
 
+#include "base/lists.h"
 #include "parallel/stage.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace multipath {
 
@@ -44,10 +46,9 @@ JacobiIterations::JacobiIterations(const Scene& scene, const PowerState& start, 
 
 std::vector<Rgb> JacobiIterations::power() const
 {
-    std::vector<Rgb> power(mean_.incident.size());
-    for (std::uint32_t i = 0; i < power.size(); ++i)
-        power[i] = start_.unshot[i] + scene_.reflectance(i) * mean_.incident[i];
-    return power;
+    return serial_list(scene_.patch_count(), [this](std::uint32_t i) {
+        return start_.unshot[i] + scene_.reflectance(i) * mean_.incident[i];
+    });
 }
 
 std::uint64_t JacobiIterations::next_lines(std::uint64_t left) const
@@ -93,9 +94,7 @@ namespace {
 /// Scales the values to the sum 1. Returns false if all are 0.
 bool normalise(std::vector<double>& shares)
 {
-    double sum = 0.0;
-    for (const double share : shares)
-        sum += share;
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
     if (!(sum > 0.0))
         return false;
     for (double& share : shares)
@@ -252,10 +251,7 @@ IterationRay RayStage::carried(std::uint32_t from, std::uint32_t to) const
 
 Rgb sum_of(const std::vector<Rgb>& powers)
 {
-    Rgb sum;
-    for (const Rgb& power : powers)
-        sum += power;
-    return sum;
+    return std::accumulate(powers.begin(), powers.end(), Rgb{});
 }
 
 /// Updates the state after all patches have sent their unshot power: they hold what they reflect of the received power.

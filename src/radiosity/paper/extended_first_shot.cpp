@@ -29,10 +29,10 @@
 
 #include "radiosity/paper/extended_first_shot.h"
 
+#include "base/lists.h"
 #include "radiosity/paper/shot_rays.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace multipath {
 
@@ -40,8 +40,7 @@ namespace {
 
 std::uint64_t lines_of(const std::vector<ShotPass>& passes)
 {
-    return std::accumulate(passes.begin(), passes.end(), std::uint64_t{0},
-                           [](std::uint64_t sum, const ShotPass& pass) { return sum + pass.lines; });
+    return sum_over(passes, &ShotPass::lines);
 }
 
 /// [1] Power that is still to be shot, in units of that of the next pass, number k, as the pilot found it; 1 from its

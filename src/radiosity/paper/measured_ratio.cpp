@@ -18,6 +18,7 @@
 
 #include "radiosity/paper/measured_ratio.h"
 
+#include "base/lists.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/line_segments.h"
 
@@ -51,9 +52,7 @@ WalkDensity walk_density(const Scene& scene, const GlobalLines& global_lines, co
 
 LineVariances line_variances(const Scene& scene, const PilotShot& pilot, const WalkDensity& walk)
 {
-    double shot = 0.0; // Phi_s [W]
-    for (const ShotPass& pass : pilot.passes)
-        shot += pass.power;
+    const double shot = sum_over(pilot.passes, &ShotPass::power); // Phi_s [W]
     // After a single pass, b contains the noise of what the patch received: the variance of I, which came in rays of
     // equal power, is I times this power. It is subtracted from <b^2>, which is meant without noise. After several
     // passes b is at most the threshold: nothing is subtracted.

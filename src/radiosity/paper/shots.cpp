@@ -1,5 +1,6 @@
 #include "radiosity/paper/shots.h"
 
+#include "base/lists.h"
 #include "sampling/random.h"
 
 #include <algorithm>
@@ -22,10 +23,7 @@ double share_above(const Scene& scene, const PowerState& state, double threshold
 /// [W] Total power of all rays.
 Rgb power_of(const std::vector<Shot>& shots)
 {
-    Rgb power;
-    for (const Shot& shot : shots)
-        power += static_cast<double>(shot.rays) * shot.power_per_ray;
-    return power;
+    return sum_over(shots, [](const Shot& shot) { return static_cast<double>(shot.rays) * shot.power_per_ray; });
 }
 
 /// Factor by which one channel of the shots must be multiplied to carry exactly the excess, as rounding to whole rays

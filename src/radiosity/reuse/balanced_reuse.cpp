@@ -12,6 +12,7 @@
 
 #include "base/elementary.h"
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/memory.h"
 #include "radiosity/reuse/exchange_solver.h"
 #include "radiosity/run/memory_estimate.h"
@@ -80,10 +81,8 @@ void distribute_rays(double budget, std::vector<Receiver>& receivers)
     const double rest = std::max(0.0, budget - given);
     const double level = fill.level(rest);
     const auto lacks = [&](const Receiver& r) { return std::max(0.0, level * r.importance - r.had - r.gets); };
-    double more = 0.0;
-    for (const Receiver& r : receivers)
-        more += lacks(r);
-    const double scale = quotient(rest, more); // corrects the level, which is exact to a few percent only
+    const double scale =
+        quotient(rest, sum_over(receivers, lacks)); // corrects the level, which is exact to a few percent only
     for (Receiver& r : receivers)
         r.gets += scale * lacks(r);
 }

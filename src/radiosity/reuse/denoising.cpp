@@ -11,6 +11,7 @@
 
 #include "radiosity/reuse/denoising.h"
 
+#include "base/lists.h"
 #include "base/memory.h"
 #include "parallel/blocks.h"
 #include "radiosity/reuse/light_tree.h"
@@ -287,9 +288,7 @@ struct FittedTree
     double prune(Block block)
     {
         const std::vector<Block> halves = split(block, least_of_block);
-        double risk = 0.0;
-        for (const Block& half : halves)
-            risk += prune(half);
+        double risk = sum_over(halves, [this](const Block& half) { return prune(half); });
         if (halves.empty())
             for (std::uint32_t k = block.begin; k < block.end; ++k)
                 risk += (price - 1.0) * light.scene.area(order[k]) * sum(light.variance[order[k]]);
@@ -338,14 +337,13 @@ struct FittedTree
 /// [1] Reflectance of each patch divided by that of its material; empty without textures.
 std::vector<Rgb> texture_detail(const Scene& scene)
 {
-    std::vector<Rgb> result;
     if (scene.file().textures.empty())
-        return result;
+        return {};
     constexpr double least = 1e-3; // the light of black patches needs no smoothing
     const auto ratio = [](double a, double b) { return b > 0.0 && a > least * b ? a / b : 1.0; };
-    for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
-        result.push_back(by_channel(ratio, scene.reflectance(i), scene.material_of(i).reflectance));
-    return result;
+    return serial_list(scene.patch_count(), [&](std::uint32_t i) {
+        return by_channel(ratio, scene.reflectance(i), scene.material_of(i).reflectance);
+    });
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "scene/obj/cutouts.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "geometry/bounds.h"
 
@@ -79,10 +80,7 @@ Mask coarser(const Mask& fine, unsigned level)
         for (std::int64_t x = 0; x < fine.width; ++x)
             balance[static_cast<std::size_t>(y * height / fine.height * width + x * width / fine.width)] +=
                 fine.at(x, y) ? 1 : -1;
-    std::vector<char> opaque;
-    for (const std::int64_t sum : balance)
-        opaque.push_back(sum >= 0 ? 1 : 0);
-    return {width, height, fine.repeats, std::move(opaque)};
+    return {width, height, fine.repeats, mapped(balance, [](std::int64_t sum) { return char{sum >= 0}; })};
 }
 
 /// The part of the polygon where sign * coordinate <= sign * border.
@@ -183,9 +181,7 @@ public:
             if (visited > most_pixels_visited)
                 return std::nullopt;
             std::vector<TexturePolygon> parts = opaque_parts(whole, mask);
-            double opaque = 0.0;
-            for (const TexturePolygon& part : parts)
-                opaque += std::abs(area_of(part));
+            const double opaque = sum_over(parts, [](const TexturePolygon& part) { return std::abs(area_of(part)); });
             if (opaque >= (1.0 - no_part) * std::abs(area_of(whole)))
                 continue;
             count += parts.size();

@@ -1,6 +1,7 @@
 #include "scene/obj/obj_changes.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "scene/text/text_words.h"
 
@@ -40,7 +41,7 @@ NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
         names.insert(names.end(), {group.name, group.other});
     std::vector<std::string> choices; // each once
     for (const std::string& other : names)
-        if (!other.empty() && std::find(choices.begin(), choices.end(), "`" + other + "`") == choices.end())
+        if (!other.empty() && !is_among("`" + other + "`", choices))
             choices.push_back("`" + other + "`");
     throw SettingsError(mesh.path + ": no material or object is called `" + name + "` and has faces, expected one of " +
                         first_of(choices, 12));

@@ -7,6 +7,7 @@
 
 #include "scene/obj/obj_mesh.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
@@ -36,12 +37,6 @@ constexpr std::array<std::string_view, 6> unsupported_keywords = {"surf", "bzp",
 constexpr std::array<std::string_view, 16> harmless_keywords = {
     "vn",       "vp",       "s",      "l",      "p",         "mg",         "lod",   "bevel",
     "c_interp", "d_interp", "usemap", "maplib", "trace_obj", "shadow_obj", "ctech", "stech"};
-
-template <std::size_t size>
-bool contains(const std::array<std::string_view, size>& words, std::string_view word)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 constexpr std::string_view unknown_numbers = "the numbers after the coordinates of a vertex are ignored, expected a "
                                              "weight, or red, green and blue from 0 to 1";
@@ -119,9 +114,9 @@ private:
             names_changed_ = true;
         } else if (keyword == "mtllib") {
             library(name_in(rest), place);
-        } else if (contains(unsupported_keywords, keyword)) {
+        } else if (is_among(keyword, unsupported_keywords)) {
             refuse(place, in_quotes(keyword) + " is not supported, expected polygons (`f`)");
-        } else if (!contains(harmless_keywords, keyword)) {
+        } else if (!is_among(keyword, harmless_keywords)) {
             flaws_.add("unknown statements ignored", place.line, keyword);
         }
     }
@@ -313,10 +308,7 @@ private:
 
 std::vector<std::string> ObjMesh::material_names() const
 {
-    std::vector<std::string> names;
-    for (const ObjName& material : materials)
-        names.push_back(material.name.empty() ? "default" : material.name);
-    return names;
+    return mapped(materials, [](const ObjName& material) { return material.name.empty() ? "default" : material.name; });
 }
 
 ObjMesh parse_obj(const std::string& path)

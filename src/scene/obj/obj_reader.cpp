@@ -6,6 +6,7 @@
 #include "scene/obj/obj_reader.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "scene/obj/cutouts.h"
 #include "scene/obj/light_advice.h"
@@ -36,11 +37,6 @@ void append(Names& list, const Names& more)
     list.insert(list.end(), more.begin(), more.end());
 }
 
-bool contains(const Names& list, const std::string& name)
-{
-    return std::find(list.begin(), list.end(), name) != list.end();
-}
-
 /// "`a`, `b` and 7 more"
 std::string some_names(Names names)
 {
@@ -57,10 +53,10 @@ Names read_libraries(const ObjMesh& mesh, MaterialLibrary& library, SceneFile& s
         const TextLocation place = {mesh.path, names.line};
         const MtlFiles named = find_mtl_files(names.name, place);
         for (const std::string& file : named.found)
-            if (!contains(scene.material_files, file))
+            if (!is_among(file, scene.material_files))
                 scene.material_files.push_back(file);
         for (const std::string& name : named.missing)
-            if (!contains(missing, name)) {
+            if (!is_among(name, missing)) {
                 missing.push_back(name);
                 scene.warnings.push_back(name_of(place) + ": material file " + in_quotes(name) + " not found");
             }
@@ -131,7 +127,7 @@ std::vector<MtlMaterial> definitions_of(const ObjMesh& mesh, const MaterialLibra
             standing_in.material.source + ": " +
             (used.name.empty() ? "faces without a material" : "material " + in_quotes(used.name) + " is not defined") +
             ", grey with Kd = 0.5 stands in" + (mesh.colours.empty() ? "" : " where vertices have no colours");
-        if (!contains(scene.warnings, warning)) // not of a lamp's copy
+        if (!is_among(warning, scene.warnings)) // not of a lamp's copy
             scene.warnings.push_back(warning);
         definitions.push_back(std::move(standing_in));
     }

@@ -4,6 +4,7 @@
 
 #include "scene/text/text_words.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 
 #include <algorithm>
@@ -158,7 +159,7 @@ void Flaws::add(std::string_view flaw, std::uint32_t line, std::string_view word
     if (word.empty() || same.words.size() == most_words)
         return;
     const std::string quoted = in_quotes(word);
-    if (std::find(same.words.begin(), same.words.end(), quoted) == same.words.end())
+    if (!is_among(quoted, same.words))
         same.words.push_back(quoted);
 }
 

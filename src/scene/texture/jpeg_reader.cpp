@@ -14,6 +14,7 @@
 // other violation of the standard is an error.
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/image_formats.h"
 #include "scene/texture/prefix_code.h"
@@ -321,9 +322,7 @@ private:
         // A block takes at least one bit. A file with fewer than 1/16 of these bits is refused before memory is
         // allocated.
         constexpr std::size_t least_part = 16;
-        std::size_t blocks = 0;
-        for (const JpegComponent& component : components_)
-            blocks += component.block_count();
+        const std::size_t blocks = sum_over(components_, &JpegComponent::block_count);
         if (8 * least_part * bytes_.size() < blocks)
             throw ImageError("ends too early");
         for (JpegComponent& component : components_) {
