@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/errors.h"
+#include "base/lists.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -104,27 +105,19 @@ public:
     }
 
     /// Writes or reads any number of texts without zero bytes, stored as one list of bytes with a zero after each text.
-    void texts(std::string_view name, std::vector<std::string>& texts)
+    /// `optional`: as an optional_list().
+    void texts(std::string_view name, std::vector<std::string>& texts, bool optional = false)
     {
         std::string joined;
         for (const std::string& text : texts)
             joined.append(text).push_back('\0');
-        growing_list<char>(name, joined);
+        optional ? optional_list<char>(name, joined) : growing_list<char>(name, joined);
         texts.clear();
         for (std::size_t begin = 0; begin < joined.size();) {
             const std::size_t end = std::min(joined.find('\0', begin), joined.size());
             texts.push_back(joined.substr(begin, end - begin));
             begin = end + 1;
         }
-    }
-
-    /// Like texts(), but an empty list is not written, and a missing array is read as an empty list.
-    void optional_texts(std::string_view name, std::vector<std::string>& list)
-    {
-        if (reads_ ? holds(full_name(name)) : !list.empty())
-            texts(name, list);
-        else
-            list.clear();
     }
 
     /// Writes or reads any number of records, stored as one list per field (texts() for strings). Reading resizes
@@ -191,9 +184,7 @@ private:
     template <class Number, class Record, class Value>
     void visit_field(std::vector<Record>& records, const RecordField<Number, Record, Value>& field, bool sets_length)
     {
-        std::vector<Value> values;
-        for (const Record& record : records)
-            values.push_back(record.*field.member);
+        std::vector<Value> values = mapped(records, field.member);
         if constexpr (std::is_same_v<Value, std::string>)
             texts(field.name, values);
         else if (sets_length)

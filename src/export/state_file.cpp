@@ -420,7 +420,7 @@ void ArchivedScene::visit(Archive& archive)
     std::vector<std::uint32_t> photometric(kept.photometric ? 1 : 0, 1u);
     archive.optional_list<std::uint32_t>("photometric", photometric);
     kept.photometric = !photometric.empty();
-    archive.optional_texts("texture paths", kept.texture_files);
+    archive.texts("texture paths", kept.texture_files, true);
     visit_textures(archive, kept);
     archive.value<double>("patch size", patch_size);
     archive.value<std::uint64_t>("two-sided", two_sided);
