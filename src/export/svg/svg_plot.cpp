@@ -47,10 +47,7 @@ std::string svg_point(SvgPoint point)
 /// Escapes text for XML. Control characters, which XML forbids, become '?'.
 std::string svg_escaped(const std::string& text)
 {
-    std::string result = html_escaped(text);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
-    return result;
+    return without_controls(html_escaped(text));
 }
 
 /// ` name="value"`; the value is not escaped.

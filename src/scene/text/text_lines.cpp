@@ -5,9 +5,10 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
+#include "base/lists.h"
+#include "base/text_format.h"
 #include "scene/text/text_words.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -35,7 +36,7 @@ bool takes_name(std::string_view keyword)
 {
     constexpr std::array<std::string_view, 9> keywords = {"mtllib", "usemtl", "newmtl", "g",   "o",
                                                           "maplib", "usemap", "bump",   "disp"};
-    return keyword.substr(0, 4) == "map_" || std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+    return keyword.substr(0, 4) == "map_" || is_among(keyword, keywords);
 }
 
 bool ends_in_backslash(std::string_view text)
@@ -67,10 +68,7 @@ void refuse(TextLocation place, const std::string& problem)
 std::string in_quotes(std::string_view word)
 {
     constexpr std::size_t longest_quote = 60;
-    std::string text = "`";
-    for (const char c : word.substr(0, longest_quote))
-        text += (static_cast<unsigned char>(c) < ' ' || c == '\x7f') ? '?' : c;
-    return text + (word.size() > longest_quote ? "...`" : "`");
+    return "`" + without_controls(word.substr(0, longest_quote)) + (word.size() > longest_quote ? "...`" : "`");
 }
 
 TextLines::TextLines(const std::string& path, bool joins_lines)
