@@ -30,6 +30,11 @@ public:
     }
 
     bool wants_pause() const override { return last_ >= 0; }
+    void finish() override
+    {
+        keep();
+        finished_ = true;
+    }
     int pauses() const { return pauses_; }
     const SavedWork& saved() const { return saved_; }
     bool finished() const { return finished_; }
@@ -43,11 +48,6 @@ private:
         return true;
     }
     void publish_shard_now() override { keep(); }
-    void finish_now() override
-    {
-        keep();
-        finished_ = true;
-    }
     void keep()
     {
         saved_ = {"", parts()};

@@ -65,16 +65,15 @@ public:
     }
 
     /// Reports that the work is complete. Call it while the parts that hold the final state are still active.
-    void finish() { finish_now(); }
+    virtual void finish() = 0;
 
     /// Names of the active parts, outermost first.
     std::vector<std::string> parts() const;
 
 protected:
-    // What pause(), publish_shard() and finish() do in a derived class. pause_now() returns true to stop the work.
+    // What pause() and publish_shard() do in a derived class. pause_now() returns true to stop the work.
     virtual bool pause_now() = 0;
     virtual void publish_shard_now() = 0;
-    virtual void finish_now() = 0;
 
     /// Writes the state of all active parts.
     void save(Archive& archive) const;

@@ -197,13 +197,13 @@ bool StateKeeper::wants_pause() const
     return interrupted() || (!options_.path.empty() && Clock::now() >= next_save_);
 }
 
-void StateKeeper::keep(const std::string& path)
+void StateKeeper::keep()
 {
-    if (path.empty() && !keep_last_)
+    if (path().empty() && !keep_last_)
         return;
     std::optional<OutputFile> file;
-    if (!path.empty())
-        file.emplace(path);
+    if (!path().empty())
+        file.emplace(path());
     last_bytes_.clear();
     StateWriter writer([&](std::string_view bytes) {
         if (file)
@@ -223,7 +223,7 @@ void StateKeeper::keep(const std::string& path)
 bool StateKeeper::pause_now()
 {
     const Clock::time_point start = Clock::now();
-    keep(options_.path);
+    keep();
     // A large state is saved less often, so that saving takes at most about a tenth of the time.
     next_save_ = Clock::now() + std::max(interval_, 10 * (Clock::now() - start));
     return interrupted();
@@ -231,13 +231,8 @@ bool StateKeeper::pause_now()
 
 void StateKeeper::publish_shard_now()
 {
-    keep(options_.path);
+    keep();
     published_ = true;
-}
-
-void StateKeeper::finish_now()
-{
-    keep(options_.path);
 }
 
 ResultFile::ResultFile(const std::string& path, const PatchTable* beside)

@@ -87,6 +87,7 @@ public:
     void resume(SavedRun saved);
 
     bool wants_pause() const override;
+    void finish() override { keep(); }
 
     const std::string& path() const { return options_.path; }
     /// The last saved state; empty unless it is kept in memory.
@@ -99,13 +100,12 @@ public:
 protected:
     bool pause_now() override;
     void publish_shard_now() override;
-    void finish_now() override;
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// Saves the state in this file, unless the path is empty, and in memory if the last state is kept there.
-    void keep(const std::string& path);
+    /// Saves the state in its file, unless the path is empty, and in memory if the last state is kept there.
+    void keep();
 
     StateOptions options_;
     bool keep_last_;
