@@ -1,3 +1,4 @@
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "check/scene_check.h"
 #include "check/scene_report.h"
@@ -9,7 +10,6 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace multipath {
 
@@ -134,35 +134,28 @@ JsonObject report_json(const Scene& scene, const SceneReport& r, const std::vect
     json.number("intersections_measured", r.intersections_measured);
     json.number("lit_fraction", r.direct.lit_fraction);
     json.number("secondary_reflectance", r.direct.secondary_reflectance);
-    constexpr double null = std::numeric_limits<double>::quiet_NaN(); // written as null
-    json.number("ratio_first_shot", r.ratio_first_shot.value_or(null));
-    json.number("ratio_extended", r.ratio_extended.value_or(null));
+    json.number("ratio_first_shot", r.ratio_first_shot);
+    json.number("ratio_extended", r.ratio_extended);
     json.number("threshold_radiosity", r.threshold_radiosity);
     json.number("escaped_share", mean(r.balance.escaped) / mean(r.balance.emitted));
     json.number("back_face_share", mean(r.balance.behind) / mean(r.balance.emitted));
 
-    std::vector<JsonObject> emitter_list;
-    for (const Emitter& e : emitters(scene)) {
-        JsonObject object;
-        object.text("material", e.material->name);
-        object.number("power_w", mean(e.power()));
-        object.numbers("power_rgb_w", e.power());
-        object.number("area_m2", e.area);
-        emitter_list.push_back(object);
-    }
-    json.objects("emitters", emitter_list);
-    std::vector<JsonObject> finding_list;
-    for (const Finding& finding : findings) {
-        JsonObject object;
-        object.text("kind", finding.kind);
-        object.boolean("makes_wrong_result", finding.makes_wrong_result);
-        object.text("place", finding.place);
-        object.text("message", finding.message + advice_text(finding.advice));
-        object.number("power_share", finding.power_share);
-        object.number("area_share", finding.area_share);
-        finding_list.push_back(object);
-    }
-    json.objects("findings", finding_list);
+    json.objects("emitters", mapped(emitters(scene), [](const Emitter& e) {
+                     return JsonObject()
+                         .text("material", e.material->name)
+                         .number("power_w", mean(e.power()))
+                         .numbers("power_rgb_w", e.power())
+                         .number("area_m2", e.area);
+                 }));
+    json.objects("findings", mapped(findings, [](const Finding& finding) {
+                     return JsonObject()
+                         .text("kind", finding.kind)
+                         .boolean("makes_wrong_result", finding.makes_wrong_result)
+                         .text("place", finding.place)
+                         .text("message", finding.message + advice_text(finding.advice))
+                         .number("power_share", finding.power_share)
+                         .number("area_share", finding.area_share);
+                 }));
     return json;
 }
 

@@ -1,5 +1,6 @@
 #include "export/json.h"
 
+#include "base/lists.h"
 #include "base/text_format.h"
 
 #include <array>
@@ -27,14 +28,14 @@ std::string quoted(std::string_view text)
     return result + "\"";
 }
 
-std::string number_text(double value)
+std::string number_text(std::optional<double> value)
 {
-    if (!std::isfinite(value))
+    if (!value || !std::isfinite(*value))
         return "null";
     std::array<char, 32> text{};
     for (int digits = 15; digits <= 17; ++digits) { // the shortest form that reads back as the same number
-        std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-        if (std::strtod(text.data(), nullptr) == value)
+        std::snprintf(text.data(), text.size(), "%.*g", digits, *value);
+        if (std::strtod(text.data(), nullptr) == *value)
             break;
     }
     return text.data();
@@ -43,10 +44,7 @@ std::string number_text(double value)
 template <class Values, class Format>
 std::string list(const Values& values, const Format& format)
 {
-    std::vector<std::string> texts;
-    for (const auto& value : values)
-        texts.push_back(format(value));
-    return "[" + join(texts) + "]";
+    return "[" + join(mapped(values, format)) + "]";
 }
 
 } // namespace
@@ -60,7 +58,7 @@ JsonObject& JsonObject::text(std::string_view key, std::string_view value)
 {
     return add(key, quoted(value));
 }
-JsonObject& JsonObject::number(std::string_view key, double value)
+JsonObject& JsonObject::number(std::string_view key, std::optional<double> value)
 {
     return add(key, number_text(value));
 }

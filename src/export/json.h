@@ -4,6 +4,7 @@
 #include "scene/rgb.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,12 +13,12 @@ namespace multipath {
 
 /// Builds a JSON object. Members appear in the order of the calls, which can be chained. Bytes that are not part of
 /// valid UTF-8 are read as Latin-1. A number is rounded to 15, 16 or 17 significant digits, the fewest from which the
-/// same double is read back; a number that is not finite becomes null.
+/// same double is read back; a number that is missing or not finite becomes null.
 class JsonObject
 {
 public:
     JsonObject& text(std::string_view key, std::string_view value);
-    JsonObject& number(std::string_view key, double value);
+    JsonObject& number(std::string_view key, std::optional<double> value);
     JsonObject& count(std::string_view key, std::uint64_t value) { return add(key, std::to_string(value)); }
     JsonObject& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
     JsonObject& null(std::string_view key) { return add(key, "null"); }

@@ -9,7 +9,6 @@
 #include "scene/scene_file.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace multipath {
@@ -176,12 +175,11 @@ JsonObject summary_json(const SolveSummary& s)
     json.count("threads", static_cast<std::uint64_t>(s.job.options.threads));
     json.count("replicates", static_cast<std::uint64_t>(s.solution.replicates));
     json.count("all_lines", s.solution.all_lines);
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null
-    json.number("relative_standard_error", s.solution.relative_standard_error.value_or(unknown));
+    json.number("relative_standard_error", s.solution.relative_standard_error);
     if (s.job.options.importance)
-        json.number("important_relative_standard_error", s.error_of_important().value_or(unknown));
-    json.number("patch_error", s.job.accuracy.patch_error.value_or(unknown));
-    json.number("error", s.error().value_or(unknown));
+        json.number("important_relative_standard_error", s.error_of_important());
+    json.number("patch_error", s.job.accuracy.patch_error);
+    json.number("error", s.error());
     return json;
 }
 
