@@ -79,15 +79,14 @@ std::string means_text(double mean_a, double mean_b)
 JsonObject common_json(const PatchTable& a, const PatchTable& b, double area, double relative_square, double mean_a,
                        double mean_b)
 {
-    JsonObject json;
-    json.text("result", a.path);
-    json.text("reference", b.path);
-    json.count("patches", a.areas.size());
-    json.number("area_m2", area);
-    json.number("relative_mean_square_error", relative_square);
-    json.number("mean_radiosity", mean_a);
-    json.number("reference_mean_radiosity", mean_b);
-    return json;
+    return JsonObject()
+        .text("result", a.path)
+        .text("reference", b.path)
+        .count("patches", a.areas.size())
+        .number("area_m2", area)
+        .number("relative_mean_square_error", relative_square)
+        .number("mean_radiosity", mean_a)
+        .number("reference_mean_radiosity", mean_b);
 }
 
 /// The report as text.
@@ -103,9 +102,8 @@ std::string report_text(const Comparison& c)
 /// The report as the JSON object of `compare --json`.
 JsonObject report_json(const Comparison& c)
 {
-    JsonObject json = common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.mean_a, c.mean_b);
-    json.number("mean_square_error", c.error.mean_square);
-    return json;
+    return common_json(c.a, c.b, c.area, c.error.relative_mean_square, c.mean_a, c.mean_b)
+        .number("mean_square_error", c.error.mean_square);
 }
 
 // Results with different patches of the same surfaces are compared by what smooth shading shows at points.
@@ -127,11 +125,10 @@ std::string shown_text(const PatchTable& a, const PatchTable& b, const ShownErro
 /// The report as JSON.
 JsonObject shown_json(const PatchTable& a, const PatchTable& b, const ShownError& e)
 {
-    JsonObject json = common_json(a, b, e.area, e.relative_mean_square, e.mean_shown, e.mean_true);
-    json.count("reference_patches", b.areas.size());
-    json.count("points", e.points);
-    json.number("relative_mean_square_error_error", e.standard_error);
-    return json;
+    return common_json(a, b, e.area, e.relative_mean_square, e.mean_shown, e.mean_true)
+        .count("reference_patches", b.areas.size())
+        .count("points", e.points)
+        .number("relative_mean_square_error_error", e.standard_error);
 }
 
 void warn_of_other_scene(const PatchTable& a, const PatchTable& b)
