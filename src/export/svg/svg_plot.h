@@ -30,9 +30,6 @@ struct MarkStyle
     std::size_t shape; ///< 0 ... 11; all shapes have about the same area and are about 9 px wide
 };
 
-/// [px] Approximate distance from the centre of a mark to its border.
-constexpr double mark_radius = 4.5;
-
 /// Mark of a series. The marks of the first 96 series differ: they are all pairs of twelve shapes and eight colours
 /// (those of Okabe and Ito, but dark grey instead of black and brown instead of yellow).
 MarkStyle svg_series_mark(std::size_t series);
