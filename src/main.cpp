@@ -6,7 +6,6 @@
 #include "base/platform/process.h"
 #include "base/text_format.h"
 #include "cli/files/interrupt.h"
-#include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
 #include "cli/options/help_text.h"
 #include "cli/version.h"

@@ -10,11 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <set>
 #include <string_view>
 #include <tuple>
-#include <utility>
 
 namespace multipath {
 

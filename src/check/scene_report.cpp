@@ -4,12 +4,12 @@
 
 #include "check/scene_report.h"
 
+#include "geometry/intersector/intersector.h"
 #include "parallel/blocks.h"
 #include "radiosity/run/solve.h"
 #include "radiosity/run/trapped_light.h"
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/global_lines.h"
-#include "transport/lines/line_segments.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/lists.h"
-#include "cli/options/command_line.h"
 
 #include <algorithm>
 

@@ -5,11 +5,8 @@
 #include "explain/stage_trace.h"
 #include "explain/trace_lines.h"
 #include "explain/words.h"
-#include "radiosity/paper/line_budget.h"
 #include "radiosity/paper/power_walk.h"
 #include "radiosity/run/run.h"
-
-#include <algorithm>
 
 namespace multipath {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "geometry/line.h"
-#include "geometry/surface.h"
 #include "sampling/sequence.h"
 #include "scene/rgb.h"
 #include "transport/lines/line_segments.h"

@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "base/file_bytes.h"
-#include "sampling/random.h"
+#include "base/mix_bits.h"
 
 #include <algorithm>
 #include <array>

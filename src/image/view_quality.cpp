@@ -3,7 +3,6 @@
 #include "image/view_quality.h"
 
 #include "base/lists.h"
-#include "geometry/polygon.h"
 #include "image/tone_map.h"
 
 #include <algorithm>

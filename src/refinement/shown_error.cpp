@@ -17,12 +17,8 @@
 #include "sampling/sequence.h"
 #include "sampling/warp.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 

@@ -3,8 +3,6 @@
 #include "base/errors.h"
 #include "base/memory.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
 
 namespace multipath {

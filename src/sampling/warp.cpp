@@ -1,9 +1,6 @@
 #include "sampling/warp.h"
 
-#include "base/elementary.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace multipath {
 

@@ -5,7 +5,6 @@
 #include "geometry/surface.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <vector>

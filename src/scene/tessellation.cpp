@@ -11,8 +11,6 @@
 #include "base/lists.h"
 #include "geometry/intersector/surface_sizes.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 

@@ -4,7 +4,6 @@
 
 #include "scene/vertex_weld.h"
 
-#include "base/memory.h"
 #include "base/mix_bits.h"
 
 #include <cmath>

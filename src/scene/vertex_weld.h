@@ -5,7 +5,6 @@
 #include "geometry/vec3.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace multipath {
 

@@ -1,6 +1,5 @@
 #include "viewer/viewer_page.h"
 
-#include "base/elementary.h"
 #include "base/lists.h"
 #include "base/little_endian.h"
 #include "base/text_format.h"
@@ -9,19 +8,16 @@
 #include "export/mesh/patch_mesh.h"
 #include "image/colour_scale.h"
 #include "image/png.h"
-#include "image/render.h"
 #include "image/shading/smooth_shading.h"
 #include "image/tone_map.h"
 #include "scene/scene_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <unordered_map>
 
 namespace multipath {

@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <cstring>
 #include <random>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

@@ -1,11 +1,9 @@
 #include "cli/options/command_line.h"
 
 #include "base/errors.h"
-#include "base/lists.h"
 #include "base/text_format.h"
 #include "cli/options/spelling.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace multipath {

@@ -1,7 +1,6 @@
 #include "cli/options/help_text.h"
 
 #include "base/text_format.h"
-#include "cli/options/command_line.h"
 #include "cli/version.h"
 
 #include <algorithm>

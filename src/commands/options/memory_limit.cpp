@@ -8,10 +8,8 @@
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run/memory_estimate.h"
-#include "radiosity/run/solve_options.h"
 
 #include <algorithm>
-#include <string>
 #include <system_error>
 
 namespace multipath {

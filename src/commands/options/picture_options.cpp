@@ -3,17 +3,13 @@
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/text_format.h"
-#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "image/automatic_camera.h"
 #include "image/camera_file.h"
 #include "image/false_colour.h"
 #include "radiosity/reuse/gathered_light.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <vector>
 
 namespace multipath {
 

@@ -1,11 +1,9 @@
 #include "commands/options/scene_options.h"
 
-#include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/platform/files.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
-#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "commands/options/memory_limit.h"
 #include "scene/daylight.h"

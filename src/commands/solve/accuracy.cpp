@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "cli/options/number_text.h"
-#include "radiosity/run/replicates.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,6 @@
 #include "base/text_format.h"
 #include "check/scene_report.h"
 #include "commands/options/method_options.h"
-#include "radiosity/paper/line_budget.h"
 #include "radiosity/reuse/balanced_reuse.h"
 #include "radiosity/run/replicates.h"
 

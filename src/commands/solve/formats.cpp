@@ -30,7 +30,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace multipath {
 

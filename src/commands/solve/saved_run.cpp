@@ -17,7 +17,6 @@
 #include "commands/options/method_options.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/accuracy.h"
-#include "radiosity/run/solution.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "explain/stage_trace.h"
 #include "radiosity/run/solution.h"
 #include "radiosity/run/solve_options.h"
-#include "viewer/viewer_page.h"
 
 #include <string>
 #include <vector>

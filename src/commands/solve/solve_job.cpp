@@ -13,7 +13,6 @@
 #include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
 #include "commands/solve/solve_summary.h"
-#include "radiosity/run/replicates.h"
 
 #include <utility>
 

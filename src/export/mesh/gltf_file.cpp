@@ -10,7 +10,6 @@
 #include "geometry/bounds.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include "export/mesh/patch_mesh.h"
 
 #include <array>
-#include <cstddef>
 #include <numeric>
 
 namespace multipath {

@@ -8,7 +8,6 @@
 #include "geometry/polygon.h"
 #include "geometry/vec3.h"
 #include "parallel/blocks.h"
-#include "sampling/random.h"
 
 #include <algorithm>
 #include <cmath>

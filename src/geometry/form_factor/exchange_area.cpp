@@ -11,7 +11,6 @@
 
 #include "base/elementary.h"
 #include "geometry/form_factor/gauss_legendre.h"
-#include "geometry/polygon.h"
 
 #include <algorithm>
 #include <array>

@@ -37,7 +37,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 

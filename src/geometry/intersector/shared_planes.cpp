@@ -6,14 +6,12 @@
 
 #include "geometry/intersector/shared_planes.h"
 
-#include "base/memory.h"
 #include "geometry/intersector/surface_sizes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace multipath {
 

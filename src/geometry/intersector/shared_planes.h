@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/memory.h"
-#include "geometry/bounds.h"
 #include "geometry/surface.h"
 
 #include <cstdint>

@@ -3,16 +3,10 @@
 
 #include "geometry/intersector/tree.h"
 
-#include "base/memory.h"
-#include "geometry/intersector/surface_block.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 

@@ -2,7 +2,6 @@
 
 #include "base/memory.h"
 #include "geometry/bounds.h"
-#include "geometry/conditions.h"
 #include "geometry/intersector/line_batch.h"
 #include "geometry/intersector/surface_block.h"
 

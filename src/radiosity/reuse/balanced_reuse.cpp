@@ -25,7 +25,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -12,8 +12,6 @@
 #include "transport/exchange/conjugate_gradients.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace multipath {

@@ -7,7 +7,6 @@
 
 #include "base/elementary.h"
 #include "base/memory.h"
-#include "parallel/blocks.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
 #include "transport/exchange/line_counts.h"
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 namespace multipath {
 

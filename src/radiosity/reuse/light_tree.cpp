@@ -7,10 +7,6 @@
 #include "parallel/blocks.h"
 #include "transport/exchange/unoccluded_exchange.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace multipath {
 
 namespace {

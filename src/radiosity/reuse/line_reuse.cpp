@@ -11,7 +11,6 @@
 #include "transport/exchange/symmetric_product.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace multipath {
 

@@ -4,7 +4,6 @@
 #include "radiosity/reuse/denoising.h"
 #include "radiosity/run/solution.h"
 #include "radiosity/run/statistics.h"
-#include "sampling/random.h"
 #include "transport/lines/global_lines.h"
 
 #include <algorithm>

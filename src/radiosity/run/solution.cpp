@@ -1,6 +1,5 @@
 #include "radiosity/run/solution.h"
 
-#include "base/errors.h"
 #include "radiosity/run/statistics.h"
 
 #include <cmath>

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace multipath {
 

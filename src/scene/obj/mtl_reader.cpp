@@ -6,7 +6,6 @@
 
 #include "base/file_bytes.h"
 #include "base/text_format.h"
-#include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 
 #include <algorithm>
@@ -15,7 +14,6 @@
 #include <limits>
 #include <optional>
 #include <system_error>
-#include <unordered_map>
 
 namespace multipath {
 

@@ -11,11 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <memory>
 #include <numeric>
-#include <string>
-#include <utility>
 
 namespace multipath {
 

@@ -2,8 +2,6 @@
 
 #include "scene/obj/mesh_pieces.h"
 
-#include <vector>
-
 namespace multipath {
 
 /// Joins pairs of triangles that form a parallelogram: they share a whole edge (by position), face the same way, have

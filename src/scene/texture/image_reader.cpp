@@ -1,8 +1,6 @@
 #include "base/errors.h"
-#include "scene/texture/image_formats.h"
-
 #include "scene/text/text_words.h"
-#include "scene/texture/byte_reader.h"
+#include "scene/texture/image_formats.h"
 
 #include <algorithm>
 

@@ -1,9 +1,6 @@
 #include "scene/texture/prefix_code.h"
 
-#include "base/errors.h"
-
 #include <algorithm>
-#include <utility>
 
 namespace multipath {
 

@@ -11,11 +11,9 @@
 #include "scene/texture/texture.h"
 
 #include "base/mix_bits.h"
-#include "scene/texture/image_formats.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace multipath {

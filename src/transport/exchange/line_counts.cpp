@@ -10,8 +10,6 @@
 
 #include "base/errors.h"
 #include "parallel/blocks.h"
-#include "transport/lines/line_segments.h"
-#include "transport/lines/local_rays.h"
 
 #include <algorithm>
 #include <array>

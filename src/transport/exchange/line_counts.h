@@ -5,11 +5,9 @@
 #include "sampling/allotment.h"
 #include "sampling/sequence.h"
 #include "scene/scene.h"
-#include "transport/lines/global_lines.h"
 #include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <mutex>

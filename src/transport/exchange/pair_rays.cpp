@@ -1,21 +1,16 @@
 #include "transport/exchange/pair_rays.h"
 
-#include "base/elementary.h"
 #include "base/errors.h"
 #include "parallel/blocks.h"
 #include "sampling/allotment.h"
 #include "sampling/random.h"
 #include "sampling/warp.h"
-#include "scene/scene.h"
-#include "transport/exchange/exchange_estimate.h"
 #include "transport/lines/shadow_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
-#include <vector>
 
 namespace multipath {
 

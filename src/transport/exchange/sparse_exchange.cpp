@@ -3,7 +3,6 @@
 #include "base/disjoint_sets.h"
 #include "parallel/blocks.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>

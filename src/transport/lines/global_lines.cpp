@@ -10,7 +10,6 @@
 
 #include "transport/lines/global_lines.h"
 
-#include "sampling/warp.h"
 #include "sampling/warp_kernel.h"
 
 #include <algorithm>

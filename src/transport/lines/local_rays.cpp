@@ -5,7 +5,6 @@
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace multipath {
