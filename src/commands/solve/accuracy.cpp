@@ -28,15 +28,26 @@ double Accuracy::noise_tolerance() const
     return std::sqrt(*tolerance * *tolerance - patches * patches);
 }
 
-bool RoundLimit::go_on(const Round& round, double seconds)
+std::uint64_t RoundLimit::next_lines(const Round& round, double seconds)
 {
-    const double after_next = seconds + 2.0 * (seconds - round_start_);
+    constexpr std::uint64_t most_growth = 16;
+    const double last_round = seconds - round_start_;
     round_start_ = seconds;
-    const bool reached = accuracy_.tolerance && round.lines >= least_lines_ &&
-                         round.relative_standard_error <= accuracy_.noise_tolerance();
-    const bool too_late = accuracy_.seconds && after_next > *accuracy_.seconds;
-    const bool too_many = accuracy_.most_lines && 2 * round.lines > *accuracy_.most_lines;
-    return !reached && !too_late && !too_many;
+    std::uint64_t growth = 2;
+    if (accuracy_.tolerance) {
+        const double excess = round.relative_standard_error / accuracy_.noise_tolerance();
+        if (round.lines >= least_lines_ && excess <= 1.0)
+            return 0;
+        while (growth < most_growth && (growth < excess * excess || growth * round.lines < least_lines_))
+            growth *= 2;
+    }
+    const auto is_too_much = [&] {
+        return (accuracy_.seconds && seconds + static_cast<double>(growth) * last_round > *accuracy_.seconds) ||
+               (accuracy_.most_lines && growth * round.lines > *accuracy_.most_lines);
+    };
+    while (growth > 1 && is_too_much())
+        growth /= 2;
+    return growth > 1 ? growth * round.lines : 0;
 }
 
 OptionGroup accuracy_option_group()
@@ -50,7 +61,7 @@ OptionGroup accuracy_option_group()
           "Solve R times with independent randomisations of the sequence, each with its part of the lines; estimates "
           "the standard error of every patch and of the whole."},
          {"tolerance", 0, "SHARE", "",
-          "Cut patches, unless options fix them, and double the lines, at most to --lines, until the root of the "
+          "Cut patches, unless options fix them, and add lines, at most to --lines, until the root of the "
           "relative mean square error is at most this, such as 1%. Takes 4 replicates by default.",
           false, any_text, true},
          {"time", 0, "TIME", "", "Double the lines for as long as this allows, such as 30s, otherwise as --tolerance.",
@@ -86,10 +97,10 @@ Solution solve_accurately(const Scene& scene, const SolveOptions& options, const
     const std::uint64_t first = std::min(first_round_lines, accuracy.most_lines.value_or(first_round_lines));
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const auto go_on = [&](const Round& round) {
-        return limit.go_on(round, std::chrono::duration<double>(Clock::now() - start).count());
+    const auto next_lines = [&](const Round& round) {
+        return limit.next_lines(round, std::chrono::duration<double>(Clock::now() - start).count());
     };
-    return solve_in_rounds(scene, options, accuracy.replicates, first, go_on, progress, checkpoint);
+    return solve_in_rounds(scene, options, accuracy.replicates, first, next_lines, progress, checkpoint);
 }
 
 } // namespace multipath

@@ -17,7 +17,7 @@ struct Accuracy
     std::optional<double> seconds;           ///< [s] time until all is solved
     std::optional<std::uint64_t> most_lines; ///< limit of lines for the last round; only with a tolerance or a time
 
-    /// True if the number of lines is doubled, round by round, until the tolerance or the time is reached.
+    /// True if the number of lines grows, round by round, until the tolerance or the time is reached.
     bool in_rounds() const { return tolerance || seconds; }
 
     /// [1] The error by patches, as root of the relative MSE, that is low enough for the tolerance: nine tenths of it,
@@ -31,17 +31,18 @@ struct Accuracy
     double noise_tolerance() const;
 };
 
-/// Stopping rule of the rounds of solve_in_rounds(). They end if the tolerance is reached, or if another round, twice
-/// as long as the last, would exceed the time or the lines.
+/// The lines of the rounds of solve_in_rounds(). They end if the tolerance is reached, or if another round, twice as
+/// long as the last, would exceed the time or the lines. With a tolerance the next round has 2, 4, 8 or 16 times the
+/// lines, as many as bring the noise to it if its square falls as 1 / lines.
 class RoundLimit
 {
 public:
     /// Estimates of the error from fewer than `least_lines` lines are not trusted.
     RoundLimit(const Accuracy& accuracy, std::uint64_t least_lines) : accuracy_(accuracy), least_lines_(least_lines) {}
 
-    /// True if another round is to follow. To be called after each round. `seconds`: [s] since the start of the first
-    /// round.
-    bool go_on(const Round& round, double seconds);
+    /// Lines of the next round; 0 if there is to be none. To be called after each round. `seconds`: [s] since the start
+    /// of the first round.
+    std::uint64_t next_lines(const Round& round, double seconds);
 
 private:
     Accuracy accuracy_;

@@ -123,19 +123,19 @@ Solution solve_replicates(const Scene& scene, const Preparation& preparation, co
 }
 
 Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
-                         const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
+                         const std::function<std::uint64_t(const Round&)>& next_lines, const ProgressCallback& progress,
                          Checkpoint* checkpoint)
 {
     const Preparation preparation = prepare_replicates(scene, options, first_lines, replicates);
     RunRecord record;
     const Checkpoint::Part part(checkpoint, RunRecord::part,
                                 [&](Archive& archive) { record.visit(archive, scene.patch_count()); });
-    const auto finished = [&] {
-        return record.pieces > 0 && !go_on({record.lines, *record.solution.relative_standard_error});
-    };
-    while (record.goal > 0 || !finished()) {
+    for (;;) {
         if (record.goal == 0)
-            record.goal = record.pieces == 0 ? first_lines : 2 * record.lines;
+            record.goal =
+                record.pieces == 0 ? first_lines : next_lines({record.lines, *record.solution.relative_standard_error});
+        if (record.goal == 0)
+            break;
         SolveOptions round_options = options;
         round_options.lines = record.goal;
         Solution solution =

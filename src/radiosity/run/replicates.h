@@ -37,12 +37,12 @@ struct Round
 };
 
 /// Rounds of `replicates` >= 2 replicates. The first round has first_lines lines in total; options.lines has no effect.
-/// Each later round has twice the lines of the previous one, and is independent of all earlier ones. go_on(round) is
-/// called after each round, and the work ends when it returns false. Returns the last finished round;
+/// Each later round is independent of all earlier ones. next_lines(round) is called after each round, and returns the
+/// number of lines of the next one, or 0 to end the work. Returns the last finished round;
 /// Solution::all_lines includes the lines of the earlier ones. If the checkpoint stops the first round, returns the
 /// replicates so far. Throws what solve_replicates() and prepare() throw.
 Solution solve_in_rounds(const Scene& scene, const SolveOptions& options, int replicates, std::uint64_t first_lines,
-                         const std::function<bool(const Round&)>& go_on, const ProgressCallback& progress,
+                         const std::function<std::uint64_t(const Round&)>& next_lines, const ProgressCallback& progress,
                          Checkpoint* checkpoint = nullptr);
 
 /// Solves with all lines of the options, by solve(), or by solve_replicates() for more than one replicate. If the

@@ -147,8 +147,8 @@ TEST_CASE("replicates and rounds are taken up again")
 
     const SolveOptions options = options_of(Method::reuse, "sobol", 0);
     const auto until = [&](Checkpoint* checkpoint) {
-        return solve_in_rounds(
-            scene, options, 2, 4000, [](const Round& round) { return round.lines < 32000; }, silent, checkpoint);
+        const auto doubled = [](const Round& round) { return round.lines < 32000 ? 2 * round.lines : 0; };
+        return solve_in_rounds(scene, options, 2, 4000, doubled, silent, checkpoint);
     };
     const Solution whole = until(nullptr);
     for (int pause = 0;; pause += 397) {
