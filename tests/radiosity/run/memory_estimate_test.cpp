@@ -28,6 +28,20 @@ TEST_CASE("pairs get what scene and light leave of the memory, and the table is 
     CHECK_FALSE(prepare(scene, options).unoccluded.valid());
 }
 
+TEST_CASE("a table of pairs is made for at most eight pairs per line")
+{
+    SceneBuilder builder;
+    const std::uint32_t wall = builder.grey(0.5, 1.0);
+    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, wall).scene(0.25);
+    REQUIRE(scene.patch_count() == 96);
+    SolveOptions options;
+    options.method = Method::reuse;
+    options.lines = 96 * 96 / 2 / 8;
+    CHECK(prepare(scene, options).unoccluded.valid());
+    options.lines -= 1;
+    CHECK_FALSE(prepare(scene, options).unoccluded.valid());
+}
+
 TEST_CASE("the table's bytes count the pairs of surfaces where those are as many as patches")
 {
     SceneBuilder few, many;

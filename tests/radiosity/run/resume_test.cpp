@@ -143,7 +143,7 @@ TEST_CASE("replicates and rounds are taken up again")
 {
     const Scene scene = room();
     CHECK(check_all_pauses(scene, options_of(Method::extended, "sobol", 90000), 3, 31) > 40);
-    CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 30000), 3, 199) > 400);
+    CHECK(check_all_pauses(scene, options_of(Method::reuse, "random", 60000), 3, 199) > 400);
 
     const SolveOptions options = options_of(Method::reuse, "sobol", 0);
     const auto until = [&](Checkpoint* checkpoint) {
