@@ -131,12 +131,13 @@ void prepare_ratio(const Scene& scene, const SolveOptions& options, Preparation&
 }
 
 /// True if a table of all pairs is worth its time. Its error is much smaller than that of rays alone, even when these
-/// are denoised, at a cost of one line per 20 pairs: error times time is equal at about 8 pairs per line. It also needs
-/// several lines for each pair of a patch and an emitter, unless there are few such pairs. Measured on seven rooms, and
-/// on a floor in the penumbra of one large lamp (docs/line_reuse.md).
+/// are denoised. Its time grows with its bytes; error times time is equal at about 180 bytes per line, nine pairs of
+/// patches of large surfaces or 1.7 pairs of surfaces. It also needs several lines for each pair of a patch and an
+/// emitter, unless there are few such pairs. Measured on rooms of several kinds, and on a floor in the penumbra of one
+/// large lamp (docs/line_reuse.md).
 bool table_pays(const Scene& scene, std::uint64_t lines)
 {
-    constexpr double pairs_per_line = 8.0;
+    constexpr double bytes_per_line = 180.0;
     constexpr double lines_per_light_pair = 4.0;
     constexpr double few_light_pairs = 1e5;
     const auto n = static_cast<double>(scene.patch_count());
@@ -147,7 +148,7 @@ bool table_pays(const Scene& scene, std::uint64_t lines)
     // The table requires equal patches on each surface, and is less exact for a sky than rays of the patches.
     if (!scene.levels().empty() || scene.file().sky_surfaces > 0)
         return false;
-    return 0.5 * n * n <= pairs_per_line * budget &&
+    return reuse_bytes(scene) <= bytes_per_line * budget &&
            emitters * n <= std::max(few_light_pairs, budget / lines_per_light_pair);
 }
 

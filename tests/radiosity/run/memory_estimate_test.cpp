@@ -4,6 +4,7 @@
 #include "radiosity/run/solve.h"
 #include "test_scenes.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 
 namespace memory_estimate_test {
@@ -28,18 +29,27 @@ TEST_CASE("pairs get what scene and light leave of the memory, and the table is 
     CHECK_FALSE(prepare(scene, options).unoccluded.valid());
 }
 
-TEST_CASE("a table of pairs is made for at most eight pairs per line")
+// Pairs of patches on one wall take 20 bytes each; a patch that is a surface is also a block of each of the larger
+// sizes.
+TEST_CASE("a table of pairs is made for at most nine pairs per line, or fewer where patches are surfaces of their own")
 {
-    SceneBuilder builder;
-    const std::uint32_t wall = builder.grey(0.5, 1.0);
-    const Scene scene = builder.room({0, 0, 0}, {1, 1, 1}, wall).scene(0.25);
-    REQUIRE(scene.patch_count() == 96);
-    SolveOptions options;
-    options.method = Method::reuse;
-    options.lines = 96 * 96 / 2 / 8;
-    CHECK(prepare(scene, options).unoccluded.valid());
-    options.lines -= 1;
-    CHECK_FALSE(prepare(scene, options).unoccluded.valid());
+    SceneBuilder few, many;
+    const std::uint32_t lamp = few.grey(0.5, 1.0);
+    many.grey(0.5, 1.0);
+    few.rectangle({0, 0, 0}, {0, 0, 8}, {8, 0, 0}, lamp);
+    for (int k = 0; k < 64; ++k)
+        many.rectangle({k % 8 * 1.0, 0, k / 8 * 1.0}, {0, 0, 1}, {1, 0, 0}, lamp);
+    const double pairs = 64 * 65 / 2;
+    for (const auto& [builder, bytes] : {std::pair{&few, 20 * pairs}, {&many, (12 + 4 * 24) * pairs}}) {
+        const Scene scene = builder->scene(1.0);
+        REQUIRE(scene.patch_count() == 64);
+        SolveOptions options;
+        options.method = Method::reuse;
+        options.lines = static_cast<std::uint64_t>(std::ceil(bytes / 180));
+        CHECK(prepare(scene, options).unoccluded.valid());
+        options.lines -= 1;
+        CHECK_FALSE(prepare(scene, options).unoccluded.valid());
+    }
 }
 
 TEST_CASE("the table's bytes count the pairs of surfaces where those are as many as patches")
