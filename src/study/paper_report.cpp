@@ -161,9 +161,9 @@ public:
             gains.push_back(reuse_row(std::string("reuse-") + report_scenes[k][0], report_scenes[k][1]));
         table(gains);
         text("The paper's methods forget a line once it has carried power. Line reuse counts which patches the lines "
-             "join and then solves a linear system (docs/beyond.md). Its curves fall more steeply than the limit of "
-             "−1.25 where not only the visibility of each pair but also what is known of its neighbours improves with "
-             "the lines.");
+             "join and then solves a linear system (docs/beyond.md). With a table of all pairs, which pays where there "
+             "are few patches, its curves fall more steeply than the limit of −1.25 where what is known of a pair's "
+             "neighbours improves with the lines, too.");
         text("Against processor time the curves of line reuse begin late and fall at once: before its first line a run "
              "computes the form factors without obstacles, a fixed amount.");
     }
@@ -177,8 +177,9 @@ public:
              "lines, and the error of Sobol's lines falls faster. (3) expects that the lit patches hold equal unshot "
              "power (f, R_s'), and after an extended first shot all patches. A pilot of the larger of 4,096 rays and "
              "two for each patch, at most a sixteenth of the lines, shows a and b of the scene itself (V1) (V2); its "
-             "rays are not counted here.");
-        scene_figures("ratio-", 4);
+             "rays are not counted here. PowerByLine, which the user sets in the paper, is the same freedom: rays with "
+             "the power Φ_s in all are N_l = Φ_s / PowerByLine (docs/method.md, section 6).");
+        scene_figures("ratio-", report_scenes.size());
         const std::vector<Claim> formula = ratio_claims(f_, "auto");
         const std::vector<Claim> pilot = ratio_claims(f_, "measured");
         claim_table({"by (3)", "least error at", "ratio: error over the least", "at most 3 % more"}, formula);

@@ -90,10 +90,11 @@ std::vector<Claim> ratio_claims(const PaperFindings& findings, const std::string
 std::vector<Claim> threshold_claims(const PaperFindings& findings);
 
 /// The scenes of the studies beyond the paper's: names of their files and titles.
-constexpr std::array<std::array<const char*, 2>, 4> report_scenes = {{{"5cubes", "5CUBES"},
+constexpr std::array<std::array<const char*, 2>, 5> report_scenes = {{{"5cubes", "5CUBES"},
                                                                       {"4chairs", "4CHAIRS, downwards"},
                                                                       {"4chairs-up", "4CHAIRS, upwards"},
-                                                                      {"cornell", "Cornell box"}}};
+                                                                      {"cornell", "Cornell box"},
+                                                                      {"studio", "Attic room, 12,961 faces"}}};
 
 /// The report of the reproduction as a self-contained HTML page: the statements of the paper beside the results, then
 /// every table and figure with an explanation. `folder` is the folder that holds the files of the figures. The comments
