@@ -5,6 +5,7 @@
 #include "seeded_runs.h"
 #include "test_scenes.h"
 
+#include <array>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -101,6 +102,41 @@ TEST_CASE("an open box under a sky takes in E times its opening, with a table, c
 }
 
 // The sun in the zenith lights the floor alone, and this the wall: b_f = rho (E + F b_w), b_w = rho F b_f.
+// Furniture that touches floor, walls and ceiling leaves lines from outside no hit that tells on which side of a wall
+// they are. Some of it has the outline of a wall or of another piece.
+TEST_CASE("a closed room under a sky is dark, whatever furniture stands against its walls")
+{
+    const std::vector<std::vector<std::array<Vec3, 2>>> furnishings = {
+        {{Vec3{0, 0, 0}, {0.77, 0.8, 0.9}}},                        // in a corner
+        {{Vec3{0, 1.7, 0}, {0.77, 2.6, 0.9}}},                      // below the ceiling, in a corner
+        {{Vec3{1, 0, 4.96}, {1.9, 2.05, 5}}},                       // a door
+        {{Vec3{0, 0, 1}, {0.5, 2.6, 2.2}}},                         // from floor to ceiling
+        {{Vec3{0, 0, 4.5}, {4, 2.6, 5}}},                           // all of a wall
+        {{Vec3{0, 0, 4.5}, {4, 1.2, 5}}},                           // along a wall
+        {{Vec3{0, 0, 0}, {1, 1, 1}}, {Vec3{0, 1, 0}, {1, 2.6, 1}}}, // one on the other
+        {{Vec3{0, 0, 0}, {1, 1, 1}}, {Vec3{1, 0, 0}, {2, 1, 1}}},   // side by side
+        {{Vec3{0, 0, 0}, {1, 1, 1}}, {Vec3{1, 0, 0}, {4, 2.6, 1}}}, // filling the wall in two pieces
+        {{Vec3{1.3, 0.9, 1.1}, {2.2, 1.4, 1.9}}, {Vec3{1.3, 0, 1.1}, {2.2, 0.9, 1.9}}}, // free, on the floor
+    };
+    for (std::size_t k = 0; k < furnishings.size(); ++k) {
+        SceneBuilder builder;
+        builder.room({0, 0, 0}, {4, 2.6, 5}, builder.grey(0.7, 0.0));
+        const std::uint32_t wood = builder.grey(0.5, 0.0);
+        for (const auto& [low, high] : furnishings[k])
+            builder.box(low, high, wood);
+        const Scene scene = under_sky(builder.file(), {10, 10, 10}, 0.5);
+        for (const Method method : all_methods()) {
+            CAPTURE(k);
+            CAPTURE(method->name);
+            const Solution solution = solve(scene, random_lines(method, 1u << 15, 1), silent);
+            double inside = 0.0;
+            for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
+                inside += scene.is_sky_patch(i) ? 0.0 : mean(solution.radiosity[i]);
+            CHECK(inside == 0.0);
+        }
+    }
+}
+
 TEST_CASE("the floor in the sun lights the wall" * doctest::test_suite("statistics"))
 {
     SceneBuilder builder;

@@ -10,7 +10,8 @@
 // 2. Otherwise two faces of the same outline are a sheet, and so is a group that is all the line meets: through a gap
 //    the line would pass from one solid to another without ever being outside.
 // 3. Otherwise the kind of scene decides (`starts_in_solid`): in a room the line may pass from wall to wall through a
-//    cupboard that fills a niche.
+//    cupboard that fills a niche. For lines from a sky this goes before the first part of rule 2: they would light the
+//    back of the cupboard, and through the gap the wall, if the outline of the wall is the same.
 //
 // There is one exception after the start: a line in the open that meets two faces of different outline and leaves a
 // solid later passes a gap, not a sheet. An example is the ground below a house, a floor without an underside.
@@ -79,12 +80,12 @@ bool is_sheet(const Hit* hits, std::size_t first, std::size_t last)
 }
 
 /// True if the first group of hits of a line begins with an arrival: rules 1 to 3 above.
-bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid)
+bool first_is_arrival(const Hit* hits, std::size_t count, bool starts_in_solid, bool comes_from_sky)
 {
     if (const std::ptrdiff_t balance = next_balance(hits, count, 0); balance != 0)
         return balance > 0;
     const std::size_t first_place = end_of_group(hits, count, 0);
-    return !starts_in_solid || first_place == count || is_sheet(hits, 0, first_place);
+    return !starts_in_solid || first_place == count || (!comes_from_sky && is_sheet(hits, 0, first_place));
 }
 
 /// True if a line in the open comes from below to a floor and the bottom of a solid that stands on it: the exception
@@ -145,7 +146,7 @@ bool have_same_outline(const Hit& a, const Hit& b)
            agree(invariant_on_triangle(a), invariant_on_triangle(b));
 }
 
-void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
+void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid, bool comes_from_sky)
 {
     const auto arrivals = std::count_if(hits, hits + count, [](const Hit& hit) { return hit.front; });
     const bool encloses_solids = starts_in_solid && 2 * static_cast<std::size_t>(arrivals) == count;
@@ -154,7 +155,7 @@ void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid)
         if (last - first > 1) {
             const bool arrival_expected =
                 (!encloses_solids && is_sheet(hits, first, last)) ||
-                (first == 0 ? first_is_arrival(hits, count, starts_in_solid)
+                (first == 0 ? first_is_arrival(hits, count, starts_in_solid, comes_from_sky)
                             : !hits[first - 1].front && !is_floor_from_below(hits, count, first, last));
             if (last - first == 2) // nearly always
                 order_pair(hits + first, arrival_expected);

@@ -25,7 +25,7 @@ bool have_same_outline(const Hit& a, const Hit& b);
 /// departures are put in the opposite order. On the reversed line, arrivals and departures change places. So if its
 /// list has the hits of a group in the same order, the two lines pass the surfaces of the group in opposite orders. If
 /// no hit shows whether the line starts inside a solid, `starts_in_solid` decides; hit.cpp states the rules and their
-/// exceptions (thin sheets, floors met from below).
-void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid);
+/// exceptions (thin sheets, floors met from below). `comes_from_sky`: lines may also meet walls from outside.
+void order_coincident_hits(Hit* hits, std::size_t count, bool starts_in_solid, bool comes_from_sky = false);
 
 } // namespace multipath

@@ -132,7 +132,7 @@ Scene::Scene(std::shared_ptr<const SceneFile> file, double patch_size, bool two_
     : file_(std::move(file)),
       two_sided_(two_sided),
       patch_size_(patch_size),
-      intersector_(std::make_shared<const Intersector>(file_->surfaces, threads)),
+      intersector_(std::make_shared<const Intersector>(file_->surfaces, threads, file_->sky_surfaces)),
       bounds_(bounds_of(file_->surfaces)),
       tessellations_(tessellate_all(*file_, patch_size))
 {

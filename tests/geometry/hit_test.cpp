@@ -106,6 +106,10 @@ TEST_CASE("when no hit tells, faces of one outline are a sheet")
     CHECK(first_of({1.0, 1, 0.7, 0.2, true}) == 1);
     CHECK(first_of({1.0, 1, 0.3, 0.5, true}) == 1); // barycentric 0.2, 0.3, 0.5
     CHECK(first_of({1.0, 1, 0.3, 0.4, true}) == 0);
+    std::vector<Hit> from_sky = {
+        {1.0, 0, 0.2, 0.3, false}, {1.0, 1, 0.3, 0.2, true}, {2.0, 2, 0.1, 0.4, true}, {2.0, 3, 0.5, 0.6, false}};
+    order_coincident_hits(from_sky.data(), from_sky.size(), true, true);
+    CHECK(from_sky.front().surface == 0);
 }
 
 // A plate without a back, in a room, before or behind a lamp with a cover: the plate encloses nothing.

@@ -36,8 +36,12 @@ WideTree tree_over_all(const LargeVector<Bounds>& boxes, const FilterFrame& fram
 
 } // namespace
 
-Intersector::Core::Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
-    : kernel_(&kernel), frame_(box_around(surfaces)), outside_is_solid_(is_interior(surfaces))
+Intersector::Core::Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads, std::size_t enclosing)
+    : kernel_(&kernel),
+      frame_(box_around(surfaces)),
+      first_enclosing_(surfaces.size() - enclosing),
+      has_shell_(enclosing > 0),
+      outside_is_solid_(is_interior({surfaces.begin(), surfaces.end() - static_cast<std::ptrdiff_t>(enclosing)}))
 {
     const LargeVector<Bounds> boxes = boxes_around_each(surfaces);
     SharedPlanes planes;
@@ -117,13 +121,13 @@ void Intersector::Core::store_leaves(int threads)
     });
 }
 
-Intersector::Intersector(const SurfaceList& surfaces, int threads)
-    : Intersector(surfaces, *available_kernels()[0], threads)
+Intersector::Intersector(const SurfaceList& surfaces, int threads, std::size_t enclosing)
+    : Intersector(surfaces, *available_kernels()[0], threads, enclosing)
 {
 }
 
-Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads)
-    : core_(std::make_unique<const Core>(surfaces, kernel, threads))
+Intersector::Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads, std::size_t enclosing)
+    : core_(std::make_unique<const Core>(surfaces, kernel, threads, enclosing))
 {
 }
 

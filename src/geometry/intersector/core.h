@@ -116,7 +116,7 @@ struct FirstHitBuffers
 /// building.cpp constructs, batches.cpp searches, intersector.cpp orders hits and answers other questions.
 struct Intersector::Core
 {
-    Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads);
+    Core(const SurfaceList& surfaces, const FilterKernel& kernel, int threads, std::size_t enclosing);
     std::vector<std::uint32_t> sort_out_unfiltered(const SurfaceList& surfaces, int threads);
     void store_flat(FramedRectangles framed);
     void store_leaves(int threads);
@@ -158,6 +158,7 @@ struct Intersector::Core
         return area_[a] < area_[b] || (area_[a] == area_[b] && a > b);
     }
     void put_in_order(Hit* hits, std::size_t count) const;
+    void order_coincident(Hit* hits, std::size_t count) const;
 
     template <class Visit>
     void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
@@ -177,7 +178,9 @@ struct Intersector::Core
     std::vector<float> flat_plane_;           ///< FlatSurfaces::plane
     FlatSurfaces flat_{};                     ///< view of the four members before
     std::vector<std::uint32_t> unfiltered_;   ///< surfaces that cannot be filtered: candidates of every line
-    bool outside_is_solid_;                   ///< true if is_interior(surfaces)
+    std::size_t first_enclosing_;             ///< the surfaces from here on are a shell around the others
+    bool has_shell_;                          ///< true if there are such surfaces
+    bool outside_is_solid_;                   ///< true if is_interior() of the others
     std::vector<std::uint32_t> plane_;        ///< plane number of each surface (see SharedPlanes)
     std::vector<double> area_;                ///< of each surface; the smallest of several in one place lies on top
     PlaneNeighbours neighbours_;

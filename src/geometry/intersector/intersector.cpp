@@ -52,7 +52,7 @@ void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
     constexpr std::size_t handful = 64;
     if (count > handful) {
         std::sort(hits, hits + count, [this](const Hit& a, const Hit& b) { return comes_before(a, b); });
-        order_coincident_hits(hits, count, outside_is_solid_);
+        order_coincident(hits, count);
         return;
     }
     bool coincide = false;
@@ -66,7 +66,19 @@ void Intersector::Core::put_in_order(Hit* hits, std::size_t count) const
         coincide |= slot < i && hits[slot + 1].t == moving.t;
     }
     if (coincide)
-        order_coincident_hits(hits, count, outside_is_solid_);
+        order_coincident(hits, count);
+}
+
+/// Orders hits with the same t as if there were no enclosing shell, which does not tell whether the line begins in the
+/// open or, below a floor that is seen from its back, in a solid.
+void Intersector::Core::order_coincident(Hit* hits, std::size_t count) const
+{
+    const auto is_inside = [this](const Hit& hit) { return hit.surface < first_enclosing_; };
+    Hit* const first = std::find_if(hits, hits + count, is_inside);
+    std::size_t inside = count - static_cast<std::size_t>(first - hits);
+    while (inside > 0 && !is_inside(first[inside - 1]))
+        --inside;
+    order_coincident_hits(first, inside, outside_is_solid_, has_shell_);
 }
 
 /// Updates `nearest` if the line meets the surface, unless it lies in the excluded plane.

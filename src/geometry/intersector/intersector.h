@@ -24,9 +24,10 @@ class Intersector
 public:
     /// Surfaces are identified by their index in the list; each must have an area above zero, and there must be fewer
     /// than 2^26 of them. Lines are tested by the given kernel or else the fastest of available_kernels(). The data
-    /// structures built do not depend on the number of threads.
-    explicit Intersector(const SurfaceList& surfaces, int threads = 1);
-    Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads = 1);
+    /// structures built do not depend on the number of threads. The last `enclosing` surfaces are a shell around all
+    /// others, such as a sky, and look inwards.
+    explicit Intersector(const SurfaceList& surfaces, int threads = 1, std::size_t enclosing = 0);
+    Intersector(const SurfaceList& surfaces, const FilterKernel& kernel, int threads = 1, std::size_t enclosing = 0);
     ~Intersector();
     Intersector(Intersector&&) noexcept;
     Intersector& operator=(Intersector&&) noexcept;
