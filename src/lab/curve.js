@@ -32,7 +32,7 @@ function fitted(points) {
 }
 
 class Curve {
-  // `series`: the runs in the order in which they were made, each { name, points: [{ lines, error }] }; at most two.
+  // `series`: the runs in the order in which they were made, each { letter, name, points: [{ lines, error }] }; at most two.
   constructor(svg, text) {
     Object.assign(this, { svg, text });
   }
@@ -107,7 +107,9 @@ class Curve {
       this.add('rect', { x: x - 3.6, y: y - 3.6, width: 7.2, height: 7.2, rx: n === 0 ? 3.6 : 0, fill: colour });
     const mark = append_element(this.text, 'span', '');
     Object.assign(mark.style, { background: colour, borderRadius: n === 0 ? '50%' : 0 });
-    append_element(this.text, 'p', this.sentence(one));
+    const text = append_element(this.text, 'p', '');
+    append_element(text, 'b', one.letter).style.color = colour;
+    text.append(` ${this.sentence(one)}`);
   }
 
   sentence({ name, points }) {

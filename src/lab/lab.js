@@ -7,8 +7,9 @@ class Laboratory {
     Object.assign(this, { solver, bundled, lessons });
     this.files = bundled; // those of the bundled rooms, or of the user's own
     this.curve = new Curve(element('plot'), element('plot-text'));
-    this.run = null; // { name, key, results: [{ lines, values }], points, light }
+    this.run = null; // { state, key, results: [{ lines, values }], points, quantities }
     this.kept = null; // run A of a comparison
+    this.queue = []; // runs of a lesson that are to follow
     this.state = state_of('');
     this.controls = new LabControls(this);
     this.follow(location.hash.slice(1));
@@ -31,9 +32,16 @@ class Laboratory {
     this.controls.refresh(this.state);
   }
 
+  // A change by the user ends the runs of a lesson, whose question is open again.
   restart(part) {
+    this.leave_lesson();
     this.change(part);
     this.begin();
+  }
+  leave_lesson() {
+    if (this.predicted !== undefined)
+      this.controls.show_lesson(this.lesson());
+    this.predicted = undefined;
   }
 
   lesson() { return this.lessons.find(({ key }) => key === this.state.lesson); }
@@ -43,18 +51,20 @@ class Laboratory {
     this.clear();
     this.change({ ...state_of(this.lessons.find(lesson => lesson.key === key)?.runs[0] || ''), lesson: key });
     this.controls.show_lesson(this.lesson());
-    this.queue = [];
     this.begin(9);
   }
 
   // After a prediction the runs of the lesson follow each other.
   predict(number) {
-    const lesson = this.lesson();
-    this.controls.show_answer(number);
     this.clear();
+    this.controls.show_answer(number);
     this.predicted = number;
-    this.restart({ ...state_of(lesson.runs[0]), lesson: this.state.lesson });
-    this.queue = lesson.runs.slice(1);
+    this.follow_each_other(this.lesson().runs);
+  }
+  follow_each_other([link, ...rest]) {
+    this.change({ ...state_of(link), lesson: this.state.lesson });
+    this.begin();
+    this.queue = rest;
   }
   has_scene(name) { return name === this.own_scene || this.bundled.has(`${name}.obj`); }
   room_files() { return this.state.scene === this.own_scene ? this.files : this.bundled; }
@@ -69,24 +79,23 @@ class Laboratory {
   // Starts from few lines, up to 2^size. The reference stays if only the method has changed.
   begin(size = this.state.size) {
     this.stop();
+    this.queue = [];
     this.controls.refresh(this.state);
-    const key = [this.state.scene, this.state.patches].join();
+    const key = [this.state.scene, this.state.patches].join(), other_room = this.kept && this.kept.state.scene !== this.state.scene;
+    if (other_room)
+      this.kept = null;
+    this.controls.show_message(other_room ? 'A was of another room and is dropped.' : '');
     if (key !== this.key) {
       this.key = key;
       this.reference = null;
       this.reference_job?.stop();
       this.reference_job = null;
     }
-    this.run = { name: this.run_name(), key, results: [], points: [], light: null };
+    this.run = { state: { ...this.state }, key, results: [], points: [], quantities: null };
     this.next = 256;
     this.show_curve();
     this.show_comparison();
     this.go_on(size);
-  }
-
-  run_name() {
-    const named = key => settings.find(setting => setting.key === key).values[this.state[key]];
-    return `${named('method')}, ${named('sequence')}`;
   }
 
   get can_go_on() { return this.run && this.next <= 2 ** this.state.size; }
@@ -97,7 +106,6 @@ class Laboratory {
   stop() {
     this.job?.stop();
     this.job = null;
-    this.queue = [];
     this.controls.show_running(false);
   }
 
@@ -112,10 +120,9 @@ class Laboratory {
     if (this.job !== job) // stopped
       return;
     this.job = null;
-    this.controls.show_message(code === 0 ? '' : message);
     this.controls.show_running(false);
     if (code !== 0)
-      return;
+      return this.controls.show_message(message);
     this.take(lines, room_data(files.get('room.html')));
     this.controls.show_progress(lines, 1);
     this.next = 2 * lines;
@@ -130,28 +137,27 @@ class Laboratory {
       files: this.room_files(), wanted: ['room.html'], progress });
   }
 
-  // The run is complete: the next one of a lesson, or its finding.
+  // The run is complete: when it is measured, too, the next one of a lesson follows, or its finding.
   finish() {
-    if (this.queue?.length) {
-      const queue = this.queue;
-      this.keep();
-      this.restart({ ...state_of(queue[0]), lesson: this.state.lesson });
-      this.queue = queue.slice(1);
-    } else if (this.predicted !== undefined) {
-      this.tell_finding();
-    }
+    if (this.predicted === undefined || !this.run.points.length)
+      return;
+    if (this.queue.length === 0)
+      return this.tell_finding();
+    this.kept = this.run;
+    this.follow_each_other(this.queue);
   }
 
-  // The finding of a lesson is told when its runs are complete and measured.
+  // It is told once: the numbers are those of the lesson's runs, whatever runs later.
   tell_finding() {
     const lesson = this.lesson(), runs = this.kept ? { A: this.kept, B: this.run } : { A: this.run };
-    if (!lesson || this.predicted === undefined || this.job || this.queue.length || Object.values(runs).some(run => !run.points.length))
-      return;
     this.numbers = lesson_numbers(runs);
     this.confirmed = holds(lesson.expects, this.numbers);
-    const verdict = this.predicted === lesson.right ? 'Right.' : `No: ${lesson.answers[lesson.right]}.`;
-    this.controls.show_finding(`${verdict} ${filled_text(lesson.finding, this.numbers)}` +
-      (this.confirmed ? '' : ' (These runs do not show it: with more lines they should.)'));
+    const verdict = this.predicted === lesson.right ? 'Right.' : `The right answer: “${lesson.answers[lesson.right]}”.`;
+    const doubt = this.confirmed ? '' : ' (These runs do not show it: with more lines they should.)';
+    const named = Object.entries(runs).map(([letter, run]) => `${letter}: ${this.run_name(run)}`).join('; ');
+    this.controls.show_finding([`${verdict} ${filled_text(lesson.finding, this.numbers)}${doubt}`,
+      `In ${this.state.scene} with ${grouped(2 ** this.state.size)} lines. ${named}.`]);
+    this.predicted = undefined;
   }
 
   // Shows a result, which came with this many lines.
@@ -163,8 +169,8 @@ class Laboratory {
     else
       this.viewer.show(data);
     this.shown_key = this.key;
-    this.run.light = this.viewer.quantities[0];
-    this.run.results.push({ lines, values: this.run.light.values });
+    this.run.quantities = this.viewer.quantities;
+    this.run.results.push({ lines, values: this.run.quantities[0].values });
     this.measure(this.run);
     this.show_comparison();
     if (!this.reference_job) // after the first picture
@@ -186,8 +192,9 @@ class Laboratory {
     const data = room_data(files.get('room.html')), room = new Room(data);
     this.reference = numbers_of(data.quantities[0].values);
     this.areas = Float64Array.from({ length: room.patch_count }, (_, i) => room.area(i));
-    this.measure(this.run);
-    this.tell_finding();
+    [this.kept, this.run].filter(run => run?.key === key).forEach(run => this.measure(run));
+    if (!this.job && !this.can_go_on)
+      this.finish();
   }
 
   // The errors of the results of this run so far.
@@ -198,27 +205,32 @@ class Laboratory {
     this.show_curve();
   }
 
+  get compared() { return this.kept && this.kept !== this.run; }
+  // What tells this run from that beside it.
+  run_name(run) { return run_name(run.state, this.compared ? (run === this.run ? this.kept : this.run).state : null); }
+
   show_curve() {
-    const runs = this.kept && this.kept !== this.run ? [this.kept, this.run] : [this.run];
-    this.curve.show(runs.map((run, k) => ({ ...run, name: (this.kept ? ['A: ', 'B: '][k] : '') + run.name })));
+    const runs = this.compared ? [this.kept, this.run] : [this.run];
+    this.curve.show(runs.map((run, k) => ({ points: run.points, name: this.run_name(run), letter: this.kept ? 'AB'[k] : '' })));
   }
 
   // Keeps this run as A. The next one is B.
   keep() {
+    this.leave_lesson();
     this.kept = this.run;
     this.show_curve();
   }
   clear() {
+    this.leave_lesson();
     this.kept = null;
-    this.predicted = undefined;
     this.show_comparison();
     this.show_curve();
   }
 
   show_comparison() {
-    const on = this.kept && this.kept !== this.run && this.kept.key === this.key && this.shown_key === this.key;
-    element('wipe-row').hidden = !on;
-    this.viewer?.compare(on ? this.kept.light : null, Number(element('wipe').value));
+    const on = this.compared && this.kept.key === this.key && Boolean(this.run.quantities);
+    this.controls.show_comparison(this.compared, on);
+    this.viewer?.compare(on ? this.kept.quantities : null, Number(element('wipe').value));
   }
 
   // Shows which surfaces light the selected patch, and some rays to them.
@@ -226,10 +238,10 @@ class Laboratory {
     const { viewer } = this, patch = viewer?.state.selected;
     if (patch === null || patch === undefined)
       return;
-    const { surfaces, rays } = lights_of(patch, viewer.room, this.run.light.values), most = Math.max(...rays.map(ray => ray.light));
-    this.controls.show_lights(surfaces.map(({ surface, share }) => ({ name: viewer.room.surface_name(surface), share })));
+    const { surfaces, rays } = lights_of(patch, viewer.room, viewer.quantities[0].values), most = Math.max(...rays.map(ray => ray.light));
     viewer.show_rays(rays.map(({ from, to, light }) =>
       ({ from, to, width: 1.5, colour: [...line_ink.slice(0, 3), 0.15 + 0.85 * light / most] })));
+    this.controls.show_lights(surfaces.map(({ surface, share }) => ({ name: viewer.room.surface_name(surface), share })));
   }
 
   // Saves an output of the program, made by the command of the last result.
@@ -251,8 +263,8 @@ class Laboratory {
     this.files = files;
     this.own_scene = scene;
     this.controls.add_scene(scene);
-    this.change({ scene });
-    this.begin();
+    this.key = this.kept = null; // the file may be another one of the same name
+    this.restart({ scene });
   }
 }
 

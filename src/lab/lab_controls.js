@@ -35,7 +35,10 @@ class LabControls {
   listen() {
     const lab = this.lab, on = (id, event, act) => element(id).addEventListener(event, act);
     on('scene', 'change', event => lab.restart({ scene: event.target.value }));
-    on('size', 'input', event => lab.change({ size: Number(event.target.value) }));
+    on('size', 'input', event => {
+      lab.leave_lesson();
+      lab.change({ size: Number(event.target.value) });
+    });
     on('size', 'change', () => lab.resume());
     on('start', 'click', () => lab.job ? lab.stop() : lab.can_go_on ? lab.resume() : lab.begin());
     on('keep', 'click', () => lab.keep());
@@ -49,6 +52,7 @@ class LabControls {
     this.who.type = 'button';
     this.who.addEventListener('click', () => lab.show_lights());
     this.lights = append_element(element('patch'), 'table', '');
+    on('view', 'rays', () => this.lights.replaceChildren());
     for (const button of document.querySelectorAll('[data-save]'))
       button.addEventListener('click', () => lab.save(button.dataset.save));
     const stage = element('stage');
@@ -87,7 +91,7 @@ class LabControls {
   show_lesson(lesson) {
     element('lesson-text').replaceChildren();
     element('lesson-answers').replaceChildren();
-    element('lesson-finding').textContent = '';
+    element('lesson-finding').replaceChildren();
     if (!lesson)
       return;
     for (const paragraph of lesson.text)
@@ -114,8 +118,18 @@ class LabControls {
       append_element(row, 'td', `${(100 * share).toFixed(1)} %`);
     }
   }
-  show_finding(text) {
-    element('lesson-finding').textContent = text;
+  // Of the halves of the picture, which are there if `shown`, while there are two curves.
+  show_comparison(compared, shown) {
+    element('wipe-row').hidden = !compared;
+    element('wipe').disabled = !shown;
+    element('wipe-text').textContent = shown || !this.lab.run.quantities ? 'Left A, right B' : 'The picture is of B: A has other patches';
+    element('stage').classList.toggle('compared', shown);
+    element('stage').style.setProperty('--wipe', element('wipe').value);
+  }
+  show_finding(paragraphs) {
+    element('lesson-finding').replaceChildren();
+    for (const text of paragraphs)
+      append_element(element('lesson-finding'), 'p', text);
     element('plot-text').scrollIntoView({ block: 'nearest' });
     element('lesson-finding').scrollIntoView({ block: 'nearest' });
   }

@@ -30,6 +30,14 @@ const settings = [
 const usual_settings = () => Object.fromEntries(settings.map(({ key, usual }) => [key, usual]));
 const applies = (setting, method) => !setting.of || setting.of.includes(method);
 
+// The name of a run by its state: what differs from another one beside it; alone, its method and sequence.
+function run_name(state, other) {
+  const value = (setting, of) => applies(setting, of.method) ? of[setting.key] : setting.usual;
+  const named = settings.filter(setting => other ? value(setting, state) !== value(setting, other) : !setting.more);
+  const texts = named.map(setting => `${setting.more ? `${setting.title} ` : ''}${setting.values[value(setting, state)]}`);
+  return named.length > 0 ? texts.join(', ') : run_name(state);
+}
+
 // The words of the command that solves the room with N lines.
 function command_words(state, lines) {
   const words = ['solve', state.scene];

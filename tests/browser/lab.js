@@ -115,6 +115,63 @@ async function own_rooms(page) {
   tell(await page.until(`${find('lab-message')}.textContent.includes('bad.obj:2')`), 'a file that cannot be read is told');
   await open('box.obj', fs.readFileSync('scenes/furnace.obj', 'utf8').replace(/^mtllib.*/m, ''));
   tell(await page.until(`${find('lab-message')}.textContent.includes('emitter')`, 30), 'a room without light is told');
+  await page.run("(laboratory.change({ method: 'reuse' }), 0)");
+  const ratios = []; // of the light of the run to that of the reference
+  for (const reflectance of ['0.2', '0.8']) { // the same name, another room
+    await page.run(`laboratory.open([new File([${JSON.stringify(fs.readFileSync('scenes/cube.obj', 'utf8').replace(/^mtllib.*/m, 'mtllib box.mtl'))}], 'box.obj'),
+      new File([${JSON.stringify(fs.readFileSync('scenes/cube.mtl', 'utf8'))}.replace(/^Kd.*$/gm, 'Kd ${reflectance} ${reflectance} ${reflectance}')], 'box.mtl')])`);
+    await page.until(done);
+    ratios.push(await page.run("((sum => sum(laboratory.run.quantities[0].values) / sum(laboratory.reference))(list => list.reduce((a, b) => a + b)))"));
+  }
+  tell(ratios.every(ratio => ratio > 0.7 && ratio < 1.3), 'a file that has changed is measured anew', ratios);
+}
+
+const choose = (id, value) => `(${find(id)}.value = '${value}', ${find(id)}.dispatchEvent(new Event('change')))`;
+const text_of = id => `${find(id)}.innerText`;
+
+// Free play after a lesson: its finding stays that of its own two runs, and a curve that cannot be compared goes.
+async function lesson_left(page) {
+  await page.run("(laboratory.open([new File(['v 0 0 0'], 'x.obj')]), 0)"); // no reference is there
+  await page.run(choose('lesson-choice', '08-ratio'));
+  await page.run(`${find('lesson-answers')}.children[0].click()`); // at once: before anything is solved
+  tell(await page.until(`${find('lesson-finding')}.textContent`), 'a hasty answer gets its finding, too');
+  const finding = await page.run(text_of('lesson-finding'));
+  const errors = await page.run("[laboratory.kept, laboratory.run].map(({ points }) => number_text(points[points.length - 1].error, 3))");
+  tell(finding.startsWith('The right answer: “is clearly larger”.') && errors.every(error => finding.includes(error)) && finding.includes('5cubes'),
+    'the finding names its room and the errors of both runs', finding);
+  await page.run(choose('setting-ratio', '0.5'));
+  await page.until(done);
+  const names = await page.run(text_of('plot-text'));
+  tell(/^A \S.* 0\.05: error [^]*\nB \S.* 0\.5: error /.test(names), 'the curves are named by what differs, A first', names);
+  await page.run("(multipath.change({ selected: 300 }), 0)");
+  const { table, values } = await page.run(`({ table: ${text_of('patch-rows')}, values: [laboratory.kept, laboratory.run].map(({ quantities }) =>
+    colour_text(three_at(quantities[0].values, 300))) })`);
+  tell(table.includes(`A: ${values[0]}\nB: ${values[1]}`), 'a patch shows the numbers of both halves', table);
+  await page.run(choose('scene', 'cornell'));
+  await page.until(done);
+  tell(await page.run(text_of('lesson-finding')) === finding, 'free play leaves the finding of a lesson as it was');
+  tell(await page.run(`laboratory.kept === null && ${find('plot-text')}.children.length === 2 && ${find('lab-message')}.textContent.startsWith('A was')`),
+    'the curve of another room is dropped, and told so');
+  await page.run(choose('lesson-choice', '08-ratio'));
+  await page.run(`${find('lesson-answers')}.children[0].click()`);
+  await page.run(choose('setting-sequence', 'sobol'));
+  await page.until(done);
+  tell(await page.run(`!${find('lesson-finding')}.textContent && !${find('lesson-answers')}.children[0].disabled`), 'a change during its runs opens the question again');
+  await page.run(choose('lesson-choice', ''));
+}
+
+// What lights a patch is told of this patch, this room and this run.
+async function lights_told(page) {
+  const told = `[${find('patch')}.lastElementChild.rows.length, multipath.rays.length]`;
+  for (const [change, name] of [['multipath.change({ selected: 301 })', 'patch'], ["laboratory.restart({ method: 'local' })", 'run'],
+                                ["laboratory.restart({ scene: '4chairs' })", 'room']]) {
+    await page.run(`(multipath.change({ selected: 300 }), ${find('patch')}.querySelector('button').click())`);
+    const before = await page.run(told);
+    await page.run(`(${change}, 0)`);
+    await page.until('!laboratory.job');
+    const after = await page.run(told);
+    tell(Math.min(...before) > 0 && Math.max(...after) === 0, `who lights a patch ends with another ${name}`, `${before} ${after}`);
+  }
 }
 
 // Memory after many runs and rooms.
@@ -149,7 +206,7 @@ async function small_screen() {
   try {
     await first_picture(page);
     await page.until(done);
-    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lessons, many_runs])
+    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lesson_left, lights_told, lessons, many_runs])
       await look(page);
     tell(page.said.length === 0, 'no error on the console', page.said.join('; '));
   } finally {

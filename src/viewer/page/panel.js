@@ -109,14 +109,16 @@ class Panel {
     element('patch-rows').replaceChildren();
     if (patch === null)
       return;
-    const { room, quantities } = this.viewer;
+    const { room, quantities, other } = this.viewer;
     const material = room.material_of(patch);
     const back = room.is_back(patch) ? ', its back' : '';
     const rows = [['Number', String(patch)], ['Surface', room.surface_name(room.surface_of(patch)) + back],
                   ['Material', material.name], ['Reflectance ρ', colour_text(room.reflectance(patch))],
                   [`Emittance E [${quantities[0].unit}]`, colour_text(room.emittance(patch))]];
-    for (const quantity of quantities)
-      rows.push([`${quantity.title} [${quantity.unit}]`, colour_text(value_at(quantity, patch))]);
+    quantities.forEach((quantity, k) => {
+      const [a, b] = [other || quantities, quantities].map(list => colour_text(value_at(list[k], patch)));
+      rows.push([`${quantity.title} [${quantity.unit}]`, a === b ? b : `A: ${a}\nB: ${b}`]);
+    });
     for (const [name, value] of rows) {
       const row = append_element(element('patch-rows'), 'tr', '');
       append_element(row, 'th', name).scope = 'row';

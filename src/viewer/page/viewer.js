@@ -28,7 +28,7 @@ class Viewer {
 
   // Shows other results in the same room, as it is seen now.
   show_light(data) {
-    this.drawing.forget(this.other ? [this.other.values, this.other.corners] : []);
+    this.drawing.forget((this.other || []).flatMap(({ values, corners }) => [values, corners]));
     this.quantities = data.quantities.map(quantity => quantity_of(quantity, this.room));
     this.colour_map = bytes_of(data.colour_map);
     this.trace = new Trace(data.trace, this.room);
@@ -37,6 +37,7 @@ class Viewer {
     this.state.quantity = Math.min(this.state.quantity, this.quantities.length - 1);
     this.panel.show(data);
     this.trace_panel.begin();
+    this.show_rays([]);
     this.change({});
   }
 
@@ -46,9 +47,10 @@ class Viewer {
     this.request_draw();
   }
 
-  // Shows these values on the left of the share `wipe` of the picture's width; null ends that.
+  // Shows these quantities, A, on the left of the share `wipe` of the picture's width; null ends that.
   compare(other, wipe) {
     Object.assign(this, { other, wipe });
+    this.panel.show_patch(this.state.selected);
     this.request_draw();
   }
 
@@ -113,7 +115,7 @@ class Viewer {
       values, tone: tone_numbers[this.tone.curve], borders: state.mesh, smooth: state.shading === 'smooth',
       scale: values.light ? this.tone.scale * 2 ** state.exposure : 1 / values.legend.top,
       arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background,
-      other: values.light && !trace.active ? this.other : null, wipe: this.wipe };
+      other: trace.active ? null : this.other?.[state.quantity], wipe: this.wipe };
   }
 
   show_trace() {
@@ -137,9 +139,10 @@ class Viewer {
     this.request_draw();
   }
 
-  // Shows these rays until another patch is selected.
+  // Shows these rays until another patch is selected, or another result is shown; what is told of them ends with them.
   show_rays(rays) {
     this.rays = rays;
+    this.canvas.dispatchEvent(new Event('rays'));
     this.show_marks();
   }
 
