@@ -17,8 +17,8 @@ function relative_error(found, right, areas) {
   return wrong * all / light ** 2;
 }
 
-// Slope and constant of log10(error) by log10(lines), by least squares over all points but the first of more than four,
-// and the standard error of the slope. Null with fewer than three points.
+// Slope and constant of log10(error) by log10(lines), by least squares over all points but the first of more than four. Null
+// with fewer than three points. Results share their first lines, so the scatter of the points tells no error of the slope.
 function fitted(points) {
   const used = points.slice(points.length > 4 ? points.length >> 2 : 0).filter(({ error }) => error > 0);
   if (used.length < 3)
@@ -26,9 +26,7 @@ function fitted(points) {
   const x = used.map(({ lines }) => Math.log10(lines)), y = used.map(({ error }) => Math.log10(error)), n = used.length;
   const mean_of = list => list.reduce((a, b) => a + b) / n, mx = mean_of(x), my = mean_of(y);
   const sxx = x.reduce((sum, a) => sum + (a - mx) ** 2, 0), sxy = x.reduce((sum, a, k) => sum + (a - mx) * (y[k] - my), 0);
-  const slope = sxy / sxx, constant = my - slope * mx;
-  const rest = x.reduce((sum, a, k) => sum + (y[k] - constant - slope * a) ** 2, 0);
-  return { slope, constant, error: Math.sqrt(rest / Math.max(1, n - 2) / sxx) };
+  return { slope: sxy / sxx, constant: my - sxy / sxx * mx };
 }
 
 class Curve {
@@ -41,7 +39,7 @@ class Curve {
     const points = series.flatMap(one => one.points).filter(({ error }) => error > 0);
     this.svg.replaceChildren();
     if (points.length === 0) {
-      this.text.textContent = 'The error (1) appears here as soon as the reference is solved.';
+      write_text(this.text, 'The error (1) appears here as soon as the reference is solved.');
       return;
     }
     this.range(points);
@@ -109,12 +107,12 @@ class Curve {
     Object.assign(mark.style, { background: colour, borderRadius: n === 0 ? '50%' : 0 });
     const text = append_element(this.text, 'p', '');
     append_element(text, 'b', one.letter).style.color = colour;
-    text.append(` ${this.sentence(one)}`);
+    write_text(append_element(text, 'span', ''), ` ${this.sentence(one)}`);
   }
 
   sentence({ name, points }) {
     const fit = fitted(points), last = points[points.length - 1];
-    const slope = fit ? `, slope ${number_text(Number(fit.slope.toFixed(2)))} ± ${fit.error.toFixed(2)}` : '';
-    return `${name}: error ${number_text(last.error, 2)} with ${grouped(last.lines)} lines${slope}.`;
+    const slope = fit ? `, slope about ${number_text(Number(fit.slope.toFixed(2)))}` : '';
+    return `${name}: error (1) ${number_text(last.error, 2)} with ${grouped(last.lines)} lines${slope}.`;
   }
 }

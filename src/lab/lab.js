@@ -10,6 +10,8 @@ class Laboratory {
     this.run = null; // { state, key, results: [{ lines, values }], points, quantities }
     this.kept = null; // run A of a comparison
     this.queue = []; // runs of a lesson that are to follow
+    this.tried = new Map(); // by values of the setting of a lesson: the errors with them
+    this.ratios = {}; // those by (3) that were taken, by the key of the run
     this.state = state_of('');
     this.controls = new LabControls(this);
     this.follow(location.hash.slice(1));
@@ -49,6 +51,7 @@ class Laboratory {
   // A lesson begins in the room of its first run, and waits for the prediction.
   choose_lesson(key) {
     this.clear();
+    this.tried.clear();
     this.change({ ...state_of(this.lessons.find(lesson => lesson.key === key)?.runs[0] || ''), lesson: key });
     this.controls.show_lesson(this.lesson());
     this.begin(9);
@@ -98,6 +101,8 @@ class Laboratory {
     this.go_on(size);
   }
 
+  // Of a lesson that runs.
+  get lesson_runs() { return this.predicted === undefined ? 0 : this.lesson().runs.length; }
   get can_go_on() { return this.run && this.next <= 2 ** this.state.size; }
   resume() {
     if (!this.job && this.can_go_on)
@@ -116,13 +121,15 @@ class Laboratory {
     this.job = job;
     this.controls.show_running(true);
     this.controls.show_progress(lines, 0);
-    const { code, message, files } = await job.done;
+    const { code, message, files } = await job.done, counts = /([\d,]+) local \+ ([\d,]+) global/.exec(message);
     if (this.job !== job) // stopped
       return;
     this.job = null;
     this.controls.show_running(false);
     if (code !== 0)
       return this.controls.show_message(message);
+    if (counts && this.state.ratio === 'auto')
+      this.ratios[this.run.key] = Number(counts[1].replaceAll(',', '')) / Number(counts[2].replaceAll(',', ''));
     this.take(lines, room_data(files.get('room.html')));
     this.controls.show_progress(lines, 1);
     this.next = 2 * lines;
@@ -139,12 +146,24 @@ class Laboratory {
 
   // The run is complete: when it is measured, too, the next one of a lesson follows, or its finding.
   finish() {
+    this.note_trial();
     if (this.predicted === undefined || !this.run.points.length)
       return;
     if (this.queue.length === 0)
       return this.tell_finding();
     this.kept = this.run;
     this.follow_each_other(this.queue);
+  }
+
+  // A run that differs from the last one of a lesson by the lesson's setting alone is listed with its error.
+  note_trial() {
+    const { setting, runs } = this.lesson() || {}, { state, points } = this.run;
+    const plain = of => link_of({ ...of, lesson: '', [setting]: usual_state()[setting] });
+    const last = points[points.length - 1];
+    if (!setting || last?.lines !== 2 ** state.size || plain(state) !== plain(state_of(runs[runs.length - 1])))
+      return;
+    this.tried.set(state[setting], last.error);
+    this.controls.show_tried(setting, [...this.tried]);
   }
 
   // It is told once: the numbers are those of the lesson's runs, whatever runs later.
@@ -189,9 +208,7 @@ class Laboratory {
     const { code, files } = await job.done;
     if (code !== 0 || key !== this.key)
       return;
-    const data = room_data(files.get('room.html')), room = new Room(data);
-    this.reference = numbers_of(data.quantities[0].values);
-    this.areas = Float64Array.from({ length: room.patch_count }, (_, i) => room.area(i));
+    this.reference = numbers_of(room_data(files.get('room.html')).quantities[0].values);
     [this.kept, this.run].filter(run => run?.key === key).forEach(run => this.measure(run));
     if (!this.job && !this.can_go_on)
       this.finish();
@@ -201,7 +218,7 @@ class Laboratory {
   measure(run) {
     if (this.reference)
       run.points = run.results.map(({ lines, values }) =>
-        ({ lines, error: relative_error(values, this.reference, this.areas) }));
+        ({ lines, error: relative_error(values, this.reference, this.viewer.room.areas) }));
     this.show_curve();
   }
 
@@ -210,6 +227,7 @@ class Laboratory {
   run_name(run) { return run_name(run.state, this.compared ? (run === this.run ? this.kept : this.run).state : null); }
 
   show_curve() {
+    this.controls.show_values();
     const runs = this.compared ? [this.kept, this.run] : [this.run];
     this.curve.show(runs.map((run, k) => ({ points: run.points, name: this.run_name(run), letter: this.kept ? 'AB'[k] : '' })));
   }

@@ -9,17 +9,22 @@ class LabControls {
         append_element(element('scene'), 'option', file.replace('.obj', '')).value = file.replace('.obj', '');
     append_element(element('lesson-choice'), 'option', 'none: play freely').value = '';
     lab.lessons.forEach(({ key, title }) => append_element(element('lesson-choice'), 'option', title).value = key);
+    this.statements = { ...formulas };
     this.rows = new Map(settings.map(setting => [setting.key, this.add_setting(setting)]));
     this.listen();
   }
 
-  add_setting({ key, title, values, more }) {
-    const row = append_element(element(more ? 'more-settings' : 'settings'), 'label', '');
+  add_setting({ key, title, values, note, more }) {
+    const row = append_element(element(more ? 'more-settings' : 'settings'), 'div', '');
     row.className = 'row';
-    append_element(row, 'span', title);
+    if (note)
+      append_tip(row, title, () => note.replace(/ \([34]\)/, label => `: ${formulas[label.trim()]}`));
+    else
+      append_element(row, 'span', title);
     const select = append_element(row, 'select', '');
     select.id = `setting-${key}`;
-    for (const [value, text] of Object.entries(values))
+    select.setAttribute('aria-label', title);
+    for (const [value, { text }] of values)
       append_element(select, 'option', text).value = value;
     select.addEventListener('change', () => this.lab.restart({ [key]: select.value }));
     return row;
@@ -75,6 +80,18 @@ class LabControls {
     element('size').value = state.size;
     element('size-text').textContent = grouped(2 ** state.size);
     element('command').textContent = this.lab.command();
+    write_text(element('method-text'), settings[0].values.get(state.method).note);
+  }
+
+  // The present values of the formulas, where they are known.
+  show_values() {
+    const { run, viewer, shown_key, key } = this.lab, last = run?.points[run.points.length - 1], { area, power, reflectance } = viewer?.room.all || {};
+    const values = { '(1)': last && number_text(last.error, 2), '(3)': this.lab.ratios[run?.key]?.toFixed(2),
+                     '(4)': shown_key === key && area && `${number_text(reflectance * power / (area * (1 - reflectance)))} W/m²` };
+    for (const [label, value] of Object.entries(values))
+      formulas[label] = this.statements[label] + (value ? `; here ${value}` : '');
+    for (const [setting, label] of [['ratio', '(3)'], ['threshold', '(4)']])
+      element(`setting-${setting}`).options[0].textContent = `by ${label}${values[label] ? `: ${values[label]}` : ''}`;
   }
 
   show_running(on) {
@@ -82,8 +99,9 @@ class LabControls {
     document.body.classList.toggle('running', on);
   }
   show_progress(lines, share) {
-    element('progress').textContent = share < 1 ? `${grouped(lines)} lines: ${Math.round(100 * share)} %`
-                                                : `${grouped(lines)} lines`;
+    const { state, lesson_runs, queue } = this.lab, run = lesson_runs > 1 ? `run ${lesson_runs - queue.length} of ${lesson_runs}: ` : '';
+    const text = share < 1 ? `${run}${grouped(lines)} of ${grouped(2 ** state.size)} lines` : `${grouped(lines)} lines`;
+    element('progress').textContent = text;
   }
   show_message(text) { element('lab-message').textContent = text.trim().split('\n').pop(); }
 
@@ -92,11 +110,14 @@ class LabControls {
     element('lesson-text').replaceChildren();
     element('lesson-answers').replaceChildren();
     element('lesson-finding').replaceChildren();
+    element('tried').replaceChildren();
+    this.rows.forEach((row, key) => settings.find(setting => setting.key === key).more && element('more-settings').append(row));
+    element('lesson-status').textContent = !lesson ? '' : `Choose an answer: then ${lesson.runs.length > 1 ? 'both runs start' : 'the run starts'}.`;
     if (!lesson)
       return;
-    for (const paragraph of lesson.text)
-      append_element(element('lesson-text'), 'p', paragraph);
-    append_element(element('lesson-text'), 'p', lesson.question).className = 'question';
+    for (const paragraph of [...lesson.text, lesson.question])
+      write_text(append_element(element('lesson-text'), 'p', ''), paragraph);
+    element('lesson-text').lastChild.className = 'question';
     for (const [number, answer] of lesson.answers.entries()) {
       const button = append_element(element('lesson-answers'), 'button', answer);
       button.type = 'button';
@@ -112,11 +133,8 @@ class LabControls {
   // The surfaces that light the selected patch, with their shares.
   show_lights(surfaces) {
     this.lights.replaceChildren();
-    for (const { name, share } of surfaces) {
-      const row = append_element(this.lights, 'tr', '');
-      append_element(row, 'td', name);
-      append_element(row, 'td', `${(100 * share).toFixed(1)} %`);
-    }
+    for (const { name, share } of surfaces)
+      append_row(this.lights, [name, `${(100 * share).toFixed(1)} %`]);
   }
   // Of the halves of the picture, which are there if `shown`, while there are two curves.
   show_comparison(compared, shown) {
@@ -126,10 +144,23 @@ class LabControls {
     element('stage').classList.toggle('compared', shown);
     element('stage').style.setProperty('--wipe', element('wipe').value);
   }
+  // The values of the lesson's setting that were tried, in ascending order, with their errors.
+  show_tried(key, errors) {
+    const { title, values } = settings.find(setting => setting.key === key), number = value => value === 'auto' ? this.lab.ratios[this.lab.run.key] : Number(value);
+    const least = Math.min(...errors.map(([, error]) => error));
+    element('tried').replaceChildren();
+    append_row(element('tried'), [title, 'error (1)']);
+    for (const [value, error] of errors.sort(([a], [b]) => number(a) - number(b)))
+      append_row(element('tried'), [value === 'auto' ? element(`setting-${key}`).options[0].textContent : values.get(value).text,
+        number_text(error, 3) + (error === least ? ', the least' : '')]);
+  }
   show_finding(paragraphs) {
     element('lesson-finding').replaceChildren();
     for (const text of paragraphs)
-      append_element(element('lesson-finding'), 'p', text);
+      write_text(append_element(element('lesson-finding'), 'p', ''), text);
+    element('lesson-status').textContent = '';
+    if (this.lab.lesson().setting)
+      element('lesson-try').append(this.rows.get(this.lab.lesson().setting));
     element('plot-text').scrollIntoView({ block: 'nearest' });
     element('lesson-finding').scrollIntoView({ block: 'nearest' });
   }

@@ -7,7 +7,7 @@ function lesson_numbers(runs) {
   const numbers = {};
   for (const [name, run] of Object.entries(runs)) {
     const fit = fitted(run.points), last = run.points[run.points.length - 1];
-    Object.assign(numbers, { [`${name}.error`]: last?.error, [`${name}.slope`]: fit?.slope, [`${name}.slope error`]: fit?.error });
+    Object.assign(numbers, { [`${name}.error`]: last?.error, [`${name}.slope`]: fit?.slope });
   }
   if (numbers['B.error'])
     numbers['A/B'] = numbers['A.error'] / numbers['B.error'];

@@ -26,9 +26,15 @@ lessons() {
     echo ']'
 }
 
+# The formulas of the documents by their labels.
+formulas() {
+    awk -F ' [|] ' 'BEGIN { printf "{" } /^[|] [(]/ { gsub(/["\\]/, "\\\\&"); printf "%s\"%s\":\"%s\"", separator, substr($1, 3), $2; separator = "," }
+        END { print "}" }' docs/equations.md
+}
+
 packed() { gzip -9 -n | base64 | tr -d '\n' && echo; }
 
-rooms >"$made/rooms.json" && lessons >"$made/lessons.json" && cat "$made/multipath.js" $lab/worker.js | packed >"$made/worker.txt" &&
+rooms >"$made/rooms.json" && lessons >"$made/lessons.json" && formulas >"$made/formulas.json" && cat "$made/multipath.js" $lab/worker.js | packed >"$made/worker.txt" &&
     packed <"$made/multipath.wasm" >"$made/program.txt" || exit 1
 
 # Puts into the viewer's page what the laboratory adds.
@@ -52,6 +58,7 @@ function data(id, type, name) { printf "<script type=\"%s\" id=\"%s\">", type, i
 /^<!-- room -->/ {
     data("rooms", "application/json", "rooms.json")
     data("lessons", "application/json", "lessons.json")
+    data("formulas", "application/json", "formulas.json")
     data("worker", "text/plain", "worker.txt")
     data("program", "text/plain", "program.txt")
     next

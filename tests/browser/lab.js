@@ -160,6 +160,42 @@ async function lesson_left(page) {
   await page.run(choose('lesson-choice', ''));
 }
 
+// The formulas that texts name are explained, with their values in this room.
+async function formulas_explained(page) {
+  const unknown = await page.run(`[...JSON.stringify([laboratory.lessons, settings.map(({ values, note }) => [[...values].flat(), note])])
+    .matchAll(/\\([A-Z]?\\d\\)/g)].map(([label]) => label).filter(label => !(label in formulas))`);
+  tell(unknown.length === 0, 'every label in lessons and settings has a formula', unknown);
+  await page.run("(laboratory.restart({ ...usual_settings(), scene: '5cubes', method: 'extended', size: 12 }), 0)");
+  await page.until(done);
+  // After the extended first shot f = 1 and R_s' = R_ave, both of which the page knows; the threshold is in the notes of the trace.
+  const { by_3, by_4, ratio, note } = await page.run(`(({ box: [low, high], all: { area, reflectance: r } }, [a, b, c]) => ({
+    ratio: Math.sqrt(2 * area / (2 * (a * b + b * c + c * a)) * (1 - r * r) * (1 - r) / (r * r * (1 - r) + 2 * r ** 3)),
+    by_3: ${find('setting-ratio')}.options[0].text, by_4: ${find('setting-threshold')}.options[0].text, note: multipath.trace.lines[0].note
+  }))(multipath.room, minus(multipath.room.box[1], multipath.room.box[0]))`);
+  tell(Math.abs(by_3.replace('by (3): ', '') - ratio) < 0.01, 'the value of (3) is that in this room', `${by_3} ${ratio}`);
+  tell(by_4 === `by (4): ${/threshold, ([\d.]+) W/.exec(note)[1]} W/m²`, 'the value of (4) is that in this room', by_4);
+  const shown = await page.run(`(tip => { tip.focus(); tip.blur(); tip.dispatchEvent(new Event('focus')); return tip.textContent; })(${find('setting-ratio')}.parentNode.firstChild)`);
+  tell(shown.includes('√') && shown.includes(by_3.replace('by (3): ', '; here ')), 'the setting shows the formula and its value', shown);
+  const ratios = await page.run(`[...${find('setting-ratio')}.options].slice(1).map(({ value }) => Number(value))`);
+  tell(ratios.every((ratio, k) => k === 0 || ratio > ratios[k - 1]), 'the choices of the ratio ascend', ratios);
+}
+
+// A lesson with a setting lists the values that were tried, with the errors of complete runs only.
+async function values_tried(page) {
+  await page.run(choose('lesson-choice', '08-ratio'));
+  await page.until(done);
+  tell(await page.run(`${find('tried')}.rows.length === 0 && ${find('lesson-status')}.textContent.includes('both runs')`), 'a lesson waits for an answer');
+  await page.run(`${find('lesson-answers')}.children[1].click()`);
+  await page.until(`${find('lesson-finding')}.textContent`);
+  await page.run(choose('setting-ratio', '0.5'));
+  await page.until(done);
+  const { rows, error } = await page.run(`({ rows: [...${find('tried')}.rows].slice(1).map(({ cells: [value, error] }) => [value.innerText, error.innerText]),
+    error: number_text(laboratory.run.points[laboratory.run.points.length - 1].error, 3) })`);
+  tell(rows.length === 3 && rows[0][0] === '0.05' && rows[1].join() === `0.5,${error}` && /^by \(3\): 1\.[23]/.test(rows[2][0]) && rows[2][1].includes('least'),
+    'the ratios that were tried are listed, ascending', rows.join('; '));
+  await page.run(choose('lesson-choice', ''));
+}
+
 // What lights a patch is told of this patch, this room and this run.
 async function lights_told(page) {
   const told = `[${find('patch')}.lastElementChild.rows.length, multipath.rays.length]`;
@@ -206,7 +242,7 @@ async function small_screen() {
   try {
     await first_picture(page);
     await page.until(done);
-    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lesson_left, lights_told, lessons, many_runs])
+    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lesson_left, formulas_explained, values_tried, lights_told, lessons, many_runs])
       await look(page);
     tell(page.said.length === 0, 'no error on the console', page.said.join('; '));
   } finally {

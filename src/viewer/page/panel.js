@@ -11,6 +11,31 @@ function append_element(parent, name, text) {
   return child;
 }
 
+// Appends a row of a table; its first cell is the heading.
+function append_row(table, [heading, ...cells]) {
+  const row = append_element(table, 'tr', '');
+  append_element(row, 'th', heading).scope = 'row';
+  cells.forEach(text => write_text(append_element(row, 'td', ''), text));
+}
+
+// Appends a label with an explanation, given by the function `text`, that the style sheet shows under the pointer or the focus.
+function append_tip(parent, label, text) {
+  const tip = append_element(parent, 'span', label), told = append_element(tip, 'span', '');
+  Object.assign(tip, { className: 'tip', tabIndex: 0, role: 'button' });
+  for (const event of ['focus', 'pointerenter'])
+    tip.addEventListener(event, () => write_text(told, text(), {}));
+}
+
+// Replaces what an element holds by a text with indices as in N_l. Labels as "(3)" explain their formulas, if the page has them.
+const formulas = JSON.parse(element('formulas')?.textContent || '{}');
+function write_text(parent, text, explained = formulas) {
+  parent.replaceChildren();
+  for (const part of text.replace(/m\^2/g, 'm²').split(/(\([A-Z]?\d\)|(?<=(?:^|[^\p{L}])\p{L})_\p{L}+)/u))
+    if (part in explained) append_tip(parent, part, () => explained[part]);
+    else if (part[0] === '_') append_element(parent, 'sub', part.slice(1));
+    else parent.append(part);
+}
+
 const grouped = count => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
 
 const save_as = (name, url) => Object.assign(document.createElement('a'), { href: url, download: name }).click();
@@ -48,11 +73,12 @@ class Panel {
 
   // Names the room and what can be shown of it.
   show(data) {
-    const { quantities } = this.viewer;
+    const { quantities, room: { box: [low, high], all, power_unit } } = this.viewer, text = x => number_text(x, 3);
     for (const list of ['record', 'quantity'])
       element(list).replaceChildren();
     element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
-    for (const fact of [data.scene, `${grouped(data.patches)} patches`, ...data.record])
+    for (const fact of [data.scene, `${minus(high, low).map(text).join(' × ')} m`, `${grouped(data.patches)} patches of ${text(all.area)} m²`,
+                        `mean reflectance ${text(all.reflectance)}`, `lamps of ${text(all.power)} ${power_unit}`, ...data.record])
       append_element(element('record'), 'li', fact);
     quantities.forEach(({ title }, k) => append_element(element('quantity'), 'option', title).value = k);
   }
@@ -119,10 +145,7 @@ class Panel {
       const [a, b] = [other || quantities, quantities].map(list => colour_text(value_at(list[k], patch)));
       rows.push([`${quantity.title} [${quantity.unit}]`, a === b ? b : `A: ${a}\nB: ${b}`]);
     });
-    for (const [name, value] of rows) {
-      const row = append_element(element('patch-rows'), 'tr', '');
-      append_element(row, 'th', name).scope = 'row';
-      append_element(row, 'td', value);
-    }
+    for (const [name, value] of rows)
+      append_row(element('patch-rows'), [name, value]);
   }
 }

@@ -57,6 +57,8 @@ class Room {
     this.number_points();
     const corners = Array.from({ length: this.surface_count }, (_, s) => this.outline(s)).flat();
     this.box = [Math.min, Math.max].map(end => corners.reduce((a, b) => a.map((x, k) => end(x, b[k]))));
+    this.areas = Float64Array.from({ length: this.patch_count }, (_, patch) => this.area(patch));
+    this.all = this.totals();
   }
 
   // For each corner of each patch the number of its point on the grid of its side, in the order in which patches meet them.
@@ -117,6 +119,12 @@ class Room {
   cell_of(patch) {
     const k = 3 * (patch % this.cell_count), [n, m] = this.grid(this.surface_of(patch)), [i, j, size] = this.cells.subarray(k, k + 3);
     return { u: i / n, v: j / m, along_u: size / n, along_v: size / m };
+  }
+
+  // Of all patches: area [m^2], power of the lamps, mean reflectance [1].
+  totals() {
+    const sum = value => this.areas.reduce((all, area, patch) => all + area * value(patch), 0), area = sum(() => 1);
+    return { area, power: sum(patch => mean(this.emittance(patch))), reflectance: sum(patch => mean(this.reflectance(patch))) / area };
   }
 
   area(patch) {

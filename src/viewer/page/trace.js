@@ -132,7 +132,7 @@ class TracePanel {
   show() {
     const { viewer } = this, { trace } = viewer;
     if (trace.lines.length > 0) {
-      element('trace-note').textContent = (trace.current || trace.lines[0]).note;
+      write_text(element('trace-note'), (trace.current || trace.lines[0]).note);
       element('line').max = trace.lines.length;
       element('line').value = trace.line;
       element('line-text').textContent = `${trace.line} of ${trace.lines.length}`;
