@@ -35,7 +35,7 @@ std::string lines_drawn(bool from_box, std::uint64_t lines_cast)
         return " from random points of the scene's bounding box, in directions that favour its inward normal by the "
                "cosine: all of them meet the box (N1).";
     return "; " + grouped(lines_cast) +
-           " chords between random points of a sphere around the scene are cast, so that this many meet the scene's "
+           " lines through two random points of a sphere around the scene are cast, so that this many meet the scene's "
            "box (N1).";
 }
 
@@ -45,7 +45,7 @@ std::string power_sent(const Scene& scene, double crossings_per_area, bool both)
     const double area = scene.total_area() / scene.patch_count();
     const double crossings = crossings_per_area * area;
     const std::string per_patch = format("%.4g", both ? crossings : 0.5 * crossings);
-    return "Such chords cross a patch in proportion to its area, " +
+    return "Such lines cross a patch in proportion to its area, " +
            format("%.4g times per square metre (G1). A patch of %.3g m^2, the mean, is crossed ", crossings_per_area,
                   area) +
            format("%.4g times, and ", crossings) +

@@ -54,7 +54,8 @@ class Laboratory {
     this.tried.clear();
     this.change({ ...state_of(this.lessons.find(lesson => lesson.key === key)?.runs[0] || ''), lesson: key });
     this.controls.show_lesson(this.lesson());
-    this.begin(9);
+    this.viewer?.go_home();
+    this.begin(key ? 9 : undefined);
   }
 
   // After a prediction the runs of the lesson follow each other.
@@ -105,8 +106,11 @@ class Laboratory {
   get lesson_runs() { return this.predicted === undefined ? 0 : this.lesson().runs.length; }
   get can_go_on() { return this.run && this.next <= 2 ** this.state.size; }
   resume() {
-    if (!this.job && this.can_go_on)
-      this.go_on(this.state.size);
+    if (this.job)
+      return;
+    if (!this.can_go_on)
+      this.change({ size: Math.log2(this.next) });
+    this.go_on(this.state.size);
   }
   stop() {
     this.job?.stop();
@@ -125,6 +129,8 @@ class Laboratory {
     if (this.job !== job) // stopped
       return;
     this.job = null;
+    if (code === 0)
+      this.next = 2 * lines;
     this.controls.show_running(false);
     if (code !== 0)
       return this.controls.show_message(message);
@@ -132,7 +138,6 @@ class Laboratory {
       this.ratios[this.run.key] = Number(counts[1].replaceAll(',', '')) / Number(counts[2].replaceAll(',', ''));
     this.take(lines, room_data(files.get('room.html')));
     this.controls.show_progress(lines, 1);
-    this.next = 2 * lines;
     if (this.next <= 2 ** size)
       this.go_on(size);
     else
@@ -181,6 +186,8 @@ class Laboratory {
 
   // Shows a result, which came with this many lines.
   take(lines, data) {
+    if (this.reference)
+      data.tone = this.tone; // so that all results are seen as bright as it is
     if (!this.viewer)
       this.viewer = start_viewer(data);
     else if (this.shown_key === this.key)
@@ -208,7 +215,10 @@ class Laboratory {
     const { code, files } = await job.done;
     if (code !== 0 || key !== this.key)
       return;
-    this.reference = numbers_of(room_data(files.get('room.html')).quantities[0].values);
+    const { quantities, tone } = room_data(files.get('room.html'));
+    this.reference = numbers_of(quantities[0].values);
+    this.viewer.tone = this.tone = tone;
+    this.viewer.request_draw();
     [this.kept, this.run].filter(run => run?.key === key).forEach(run => this.measure(run));
     if (!this.job && !this.can_go_on)
       this.finish();
@@ -236,6 +246,8 @@ class Laboratory {
   keep() {
     this.leave_lesson();
     this.kept = this.run;
+    this.controls.show_message('Kept as A. Now change a setting.');
+    this.show_comparison();
     this.show_curve();
   }
   clear() {

@@ -44,8 +44,8 @@ class LabControls {
       lab.leave_lesson();
       lab.change({ size: Number(event.target.value) });
     });
-    on('size', 'change', () => lab.resume());
-    on('start', 'click', () => lab.job ? lab.stop() : lab.can_go_on ? lab.resume() : lab.begin());
+    on('size', 'change', () => lab.can_go_on && lab.resume());
+    on('start', 'click', () => lab.job ? lab.stop() : lab.resume());
     on('keep', 'click', () => lab.keep());
     on('clear', 'click', () => lab.clear());
     on('wipe', 'input', () => lab.show_comparison());
@@ -54,10 +54,13 @@ class LabControls {
     on('lesson-choice', 'change', event => lab.choose_lesson(event.target.value));
     on('copy-command', 'click', event => copy_text(event.target, lab.command()));
     this.who = append_element(element('patch'), 'button', 'Who lights it?');
-    this.who.type = 'button';
+    Object.assign(this.who, { type: 'button', disabled: true });
     this.who.addEventListener('click', () => lab.show_lights());
     this.lights = append_element(element('patch'), 'table', '');
-    on('view', 'rays', () => this.lights.replaceChildren());
+    on('view', 'rays', () => {
+      this.lights.replaceChildren();
+      this.who.disabled = lab.viewer?.state.selected == null;
+    });
     for (const button of document.querySelectorAll('[data-save]'))
       button.addEventListener('click', () => lab.save(button.dataset.save));
     const stage = element('stage');
@@ -77,6 +80,7 @@ class LabControls {
       row.hidden = !applies(setting, state.method);
       row.querySelector('select').value = state[setting.key];
     }
+    this.show_running(Boolean(this.lab.job));
     element('size').value = state.size;
     element('size-text').textContent = grouped(2 ** state.size);
     element('command').textContent = this.lab.command();
@@ -86,6 +90,7 @@ class LabControls {
   // The present values of the formulas, where they are known.
   show_values() {
     const { run, viewer, shown_key, key } = this.lab, last = run?.points[run.points.length - 1], { area, power, reflectance } = viewer?.room.all || {};
+    element('clear').disabled = !this.lab.kept;
     const values = { '(1)': last && number_text(last.error, 2), '(3)': this.lab.ratios[run?.key]?.toFixed(2),
                      '(4)': shown_key === key && area && `${number_text(reflectance * power / (area * (1 - reflectance)))} W/m²` };
     for (const [label, value] of Object.entries(values))
@@ -95,13 +100,16 @@ class LabControls {
   }
 
   show_running(on) {
-    element('start').textContent = on ? 'Stop' : this.lab.can_go_on ? 'Go on' : 'Run again';
+    element('start').textContent = on ? 'Stop' : this.lab.can_go_on ? 'Go on' : 'Double N';
+    element('start').disabled = !on && this.lab.next > 2 ** element('size').max;
     document.body.classList.toggle('running', on);
   }
   show_progress(lines, share) {
     const { state, lesson_runs, queue } = this.lab, run = lesson_runs > 1 ? `run ${lesson_runs - queue.length} of ${lesson_runs}: ` : '';
     const text = share < 1 ? `${run}${grouped(lines)} of ${grouped(2 ** state.size)} lines` : `${grouped(lines)} lines`;
     element('progress').textContent = text;
+    if (lesson_runs > 0)
+      element('lesson-status').textContent = share < 1 || queue.length > 0 ? text : 'Waiting for the reference.';
   }
   show_message(text) { element('lab-message').textContent = text.trim().split('\n').pop(); }
 

@@ -86,6 +86,16 @@ async function progress_told(page) {
   await page.run("(laboratory.restart({ scene: '5cubes', method: 'local', size: 24 }), 0)");
   await page.until("laboratory.job && laboratory.next >= 2 ** 20");
   tell(await page.run(`(${find('start')}.click(), !laboratory.job && ${find('start')}.textContent === 'Go on')`), 'stop ends a run at once');
+  await page.run("(laboratory.restart({ size: 9 }), 0)");
+  await page.until('!laboratory.job');
+  const label = await page.run(`(text => (${find('start')}.click(), text))(${find('start')}.textContent)`);
+  await page.until('!laboratory.job');
+  tell(label === 'Double N' && await page.run('laboratory.state.size === 10 && laboratory.run.results.length === 3'), 'a complete run is continued with twice as many lines', label);
+  await page.until(done);
+  const scale = await page.run('multipath.tone.scale');
+  await page.run("(laboratory.restart({ method: 'global', size: 12 }), 0)");
+  await page.until('!laboratory.job');
+  tell(await page.run('multipath.tone.scale') === scale, 'all results of a room are seen with the exposure of the reference', scale);
 }
 
 // Everything can be reached by keyboard and has a name; two fingers move nearer; curves differ by more than colour.

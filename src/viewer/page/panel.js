@@ -73,10 +73,10 @@ class Panel {
 
   // Names the room and what can be shown of it.
   show(data) {
-    const { quantities, room: { box: [low, high], all, power_unit } } = this.viewer, text = x => number_text(x, 3);
+    const { quantities, room: { box: [low, high], all, power_unit, file } } = this.viewer, text = x => number_text(x, 3);
     for (const list of ['record', 'quantity'])
       element(list).replaceChildren();
-    element('name').textContent = data.scene.replace(/^.*\//, '').replace(/\.obj$/i, '');
+    element('name').textContent = file.replace(/\.obj$/i, '');
     for (const fact of [data.scene, `${minus(high, low).map(text).join(' × ')} m`, `${grouped(data.patches)} patches of ${text(all.area)} m²`,
                         `mean reflectance ${text(all.reflectance)}`, `lamps of ${text(all.power)} ${power_unit}`, ...data.record])
       append_element(element('record'), 'li', fact);
@@ -115,6 +115,7 @@ class Panel {
   show_kind() {
     const drawn = this.viewer.quantities[this.viewer.drawn_quantity];
     document.body.classList.toggle('false-colours', !drawn.light);
+    element('direct-note').hidden = drawn.key !== 'direct';
     this.show_legend(drawn);
   }
 

@@ -30,6 +30,7 @@ const unit_corners = [[[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 0], [1, 0], [0, 1]]
 // The room: its surfaces, and the patches that they are cut into.
 class Room {
   constructor(data) {
+    this.file = data.scene.replace(/^.*\//, '');
     this.materials = data.materials;
     this.groups = data.groups;
     this.two_sided = data.two_sided;
@@ -138,9 +139,9 @@ class Room {
     return this.corners(s).map(([x, y]) => this.point(s, u + x * along_u, v + y * along_v));
   }
 
-  // The surface as the program names it: "table_top (line 12)".
+  // The surface, and its line in the file: "table_top, room.obj:12".
   surface_name(s) {
-    return `${this.groups[this.group[s]] || this.materials[this.material[s]].name} (line ${this.line[s]})`;
+    return `${this.groups[this.group[s]] || this.materials[this.material[s]].name}, ${this.file}:${this.line[s]}`;
   }
 
   // The first hit of a ray; null if there is none. Rays pass through the backs of one-sided surfaces, as in the
