@@ -102,8 +102,6 @@ class Laboratory {
     this.go_on(size);
   }
 
-  // Of a lesson that runs.
-  get lesson_runs() { return this.predicted === undefined ? 0 : this.lesson().runs.length; }
   get can_go_on() { return this.run && this.next <= 2 ** this.state.size; }
   resume() {
     if (this.job)
@@ -281,7 +279,9 @@ class Laboratory {
     const { code, message, files } = await job.done;
     if (code !== 0)
       return this.controls.show_message(message);
-    save_file(name, files.get(name));
+    const url = URL.createObjectURL(new Blob([files.get(name)]));
+    save_as(name, url);
+    setTimeout(() => URL.revokeObjectURL(url), 1000);
   }
 
   // A room of the user: an OBJ file and what belongs to it.
@@ -292,7 +292,7 @@ class Laboratory {
       return this.controls.show_message('Open an OBJ file, with its MTL file and its textures.');
     this.files = files;
     this.own_scene = scene;
-    this.controls.add_scene(scene);
+    Object.assign(element('own-scene'), { value: scene, textContent: scene, hidden: false });
     this.key = this.kept = null; // the file may be another one of the same name
     this.restart({ scene });
   }
@@ -303,12 +303,6 @@ function room_data(bytes) {
   const page = new TextDecoder().decode(bytes), begin = '<script type="application/json" id="room">';
   const from = page.lastIndexOf(begin) + begin.length;
   return JSON.parse(page.slice(from, page.indexOf('</' + 'script>', from)));
-}
-
-function save_file(name, content) {
-  const url = URL.createObjectURL(new Blob([content]));
-  save_as(name, url);
-  setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
 async function start_laboratory() {

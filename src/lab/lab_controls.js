@@ -14,27 +14,20 @@ class LabControls {
     this.listen();
   }
 
-  add_setting({ key, title, values, note, more }) {
+  add_setting({ key, title, values, more }) {
     const row = append_element(element(more ? 'more-settings' : 'settings'), 'div', '');
     row.className = 'row';
-    if (note)
-      append_tip(row, title, () => note.replace(/ \([34]\)/, label => `: ${formulas[label.trim()]}`));
+    if (more)
+      append_tip(row, title, () => element(`note-${key}`).textContent.replace(/ \([34]\)/, label => `: ${formulas[label.trim()]}`));
     else
       append_element(row, 'span', title);
     const select = append_element(row, 'select', '');
     select.id = `setting-${key}`;
     select.setAttribute('aria-label', title);
-    for (const [value, { text }] of values)
+    for (const [value, text] of values)
       append_element(select, 'option', text).value = value;
     select.addEventListener('change', () => this.lab.restart({ [key]: select.value }));
     return row;
-  }
-
-  add_scene(name) {
-    const known = [...element('scene').options].find(option => option.dataset.own);
-    const option = known || append_element(element('scene'), 'option', '');
-    option.dataset.own = 'yes';
-    option.value = option.textContent = name;
   }
 
   listen() {
@@ -63,9 +56,8 @@ class LabControls {
     });
     for (const button of document.querySelectorAll('[data-save]'))
       button.addEventListener('click', () => lab.save(button.dataset.save));
-    const stage = element('stage');
-    stage.addEventListener('dragover', event => event.preventDefault());
-    stage.addEventListener('drop', event => {
+    on('stage', 'dragover', event => event.preventDefault());
+    on('stage', 'drop', event => {
       event.preventDefault();
       lab.open(event.dataTransfer.files);
     });
@@ -83,8 +75,9 @@ class LabControls {
     this.show_running(Boolean(this.lab.job));
     element('size').value = state.size;
     element('size-text').textContent = grouped(2 ** state.size);
-    element('command').textContent = this.lab.command();
-    write_text(element('method-text'), settings[0].values.get(state.method).note);
+    element('command').replaceChildren();
+    this.lab.command().split(/ (?=-)/).forEach(part => append_element(element('command'), 'span', `${part} `));
+    write_text(element('method-text'), element(`note-${state.method}`).textContent);
   }
 
   // The present values of the formulas, where they are known.
@@ -105,7 +98,8 @@ class LabControls {
     document.body.classList.toggle('running', on);
   }
   show_progress(lines, share) {
-    const { state, lesson_runs, queue } = this.lab, run = lesson_runs > 1 ? `run ${lesson_runs - queue.length} of ${lesson_runs}: ` : '';
+    const { state, predicted, queue } = this.lab, lesson_runs = predicted === undefined ? 0 : this.lab.lesson().runs.length;
+    const run = lesson_runs > 1 ? `run ${lesson_runs - queue.length} of ${lesson_runs}: ` : '';
     const text = share < 1 ? `${run}${grouped(lines)} of ${grouped(2 ** state.size)} lines` : `${grouped(lines)} lines`;
     element('progress').textContent = text;
     if (lesson_runs > 0)
@@ -115,11 +109,10 @@ class LabControls {
 
   // A lesson: its text, its question with answers to choose from, and what the run then shows.
   show_lesson(lesson) {
-    element('lesson-text').replaceChildren();
-    element('lesson-answers').replaceChildren();
-    element('lesson-finding').replaceChildren();
-    element('tried').replaceChildren();
-    this.rows.forEach((row, key) => settings.find(setting => setting.key === key).more && element('more-settings').append(row));
+    document.body.classList.toggle('in-lesson', Boolean(lesson));
+    for (const id of ['lesson-text', 'lesson-answers', 'lesson-finding', 'tried'])
+      element(id).replaceChildren();
+    element('more-settings').append(...settings.filter(({ more }) => more).map(({ key }) => this.rows.get(key)));
     element('lesson-status').textContent = !lesson ? '' : `Choose an answer: then ${lesson.runs.length > 1 ? 'both runs start' : 'the run starts'}.`;
     if (!lesson)
       return;
@@ -154,12 +147,12 @@ class LabControls {
   }
   // The values of the lesson's setting that were tried, in ascending order, with their errors.
   show_tried(key, errors) {
-    const { title, values } = settings.find(setting => setting.key === key), number = value => value === 'auto' ? this.lab.ratios[this.lab.run.key] : Number(value);
-    const least = Math.min(...errors.map(([, error]) => error));
+    const number = value => value === 'auto' ? this.lab.ratios[this.lab.run.key] : Number(value);
+    const least = Math.min(...errors.map(([, error]) => error)), select = element(`setting-${key}`);
     element('tried').replaceChildren();
-    append_row(element('tried'), [title, 'error (1)']);
+    append_row(element('tried'), [select.getAttribute('aria-label'), 'error (1)']);
     for (const [value, error] of errors.sort(([a], [b]) => number(a) - number(b)))
-      append_row(element('tried'), [value === 'auto' ? element(`setting-${key}`).options[0].textContent : values.get(value).text,
+      append_row(element('tried'), [[...select.options].find(option => option.value === value).text,
         number_text(error, 3) + (error === least ? ', the least' : '')]);
   }
   show_finding(paragraphs) {

@@ -2,41 +2,33 @@
 // The settings of a run: a table of the program's options that the laboratory offers. From it come the controls, the words of
 // the command and the link of the page.
 
-// Each has a key, its option, a title with a note, its values as [word, text, note], or words alone, the usual one, and the
-// methods that it applies to.
+// Each has a key, its option, a title, its values as [word, text], or words alone, the usual one, and the methods that it
+// applies to. panel.html explains them.
 const walks = ['first-shot', 'extended', 'global'];
 const settings = [
   { key: 'method', option: '--method', title: 'Method', values: [
-      ['local', 'local Monte Carlo', 'Particles leave the lamps and go from surface to surface until they are absorbed (L1).'],
-      ['global', 'global lines', 'Lines through the whole room carry power between the surfaces that they join (M1).'],
-      ['first-shot', 'first shot', 'Rays carry the light of the lamps (S1), global lines what is reflected (M1).'],
-      ['extended', 'extended first shot', 'Bright patches shoot, too, pass by pass (S2); global lines carry the rest (M1).'],
-      ['reuse', 'line reuse', 'Lines only count which patches they join; a linear system then gives the light (R1).'],
-      ['jacobi', 'stochastic Jacobi', 'In each iteration every patch sends by rays what it has received (J1).'],
-      ['transillumination', 'transillumination', 'Parallel lines in random directions carry light, iteration by iteration (P1).'],
-      ['gathering', 'gathering walk', 'Walks start at every patch and collect light where they meet a lamp (W1).']], usual: 'extended' },
+      ['local', 'local Monte Carlo'], ['global', 'global lines'], ['first-shot', 'first shot'], ['extended', 'extended first shot'],
+      ['reuse', 'line reuse'], ['jacobi', 'stochastic Jacobi'], 'transillumination', ['gathering', 'gathering walk']], usual: 'extended' },
   { key: 'sequence', option: '--sequence', title: 'Lines from', values: [
       ['random', 'random numbers'], ['sobol', 'Sobol'], ['halton', 'Halton'], ['sobol-owen', 'Sobol, scrambled']], usual: 'sobol' },
   { key: 'pairing', option: '--pairing', title: 'A line takes', values: [['4d', 'one 4-D item'], ['2d', 'two 2-D items']],
-    note: 'A line needs four numbers: one point of a sequence in four dimensions, or two successive points in two.',
     usual: '4d', of: walks, more: true },
   { key: 'order', option: '--line-order', title: 'Order', values: ['shuffled', ['sequence', 'of the sequence']],
-    note: 'The order in which the lines carry power: shuffled in blocks of 4,096, so that successive lines are independent, or that of the sequence.',
     usual: 'shuffled', of: walks, more: true },
   { key: 'bidirectional', option: '--bidirectional', title: 'Power goes', values: [['yes', 'both ways'], ['no', 'one way']],
-    note: 'Whether the two patches that a global line joins exchange power (M2), or only one of them sends.', usual: 'yes', of: walks, more: true },
+    usual: 'yes', of: walks, more: true },
   { key: 'ratio', option: '--ratio', title: 'Ratio', values: [['auto', 'by (3)'], '0.05', '0.1', '0.2', '0.5', '1', '2', '4', '8'],
-    note: 'Local lines per global line (3).', usual: 'auto', of: ['first-shot', 'extended'], more: true },
+    usual: 'auto', of: ['first-shot', 'extended'], more: true },
   { key: 'threshold', option: '--threshold', title: 'Threshold', values: [
       ['auto', 'by (4)'], ['0', '0: shoot all'], ['0.01', '0.01 W/m²'], ['0.1', '0.1 W/m²'], ['1', '1 W/m²']],
-    note: 'The unshot radiosity above which a patch shoots (4).', usual: 'auto', of: ['extended'], more: true },
+    usual: 'auto', of: ['extended'], more: true },
   { key: 'steps', option: '--steps', title: 'Passes at most', values: ['1', '2', '3', '4', '6', ['1000', 'all']],
-    note: 'In each pass all patches above the threshold shoot; the first pass is that of the lamps (S2).', usual: '1000', of: ['extended'], more: true },
+    usual: '1000', of: ['extended'], more: true },
   { key: 'patches', option: '--patches', title: 'Patches', values: ['500', ['1000', '1,000'], ['3000', '3,000'], ['10000', '10,000']],
-    note: 'About so many patches of nearly equal area.', usual: '3000', more: true },
+    usual: '3000', more: true },
 ];
 for (const setting of settings)
-  setting.values = new Map(setting.values.map(value => [value].flat()).map(([word, text = word, note = '']) => [word, { text, note }]));
+  setting.values = new Map(setting.values.map(value => [value].flat()).map(([word, text = word]) => [word, text]));
 
 const usual_settings = () => Object.fromEntries(settings.map(({ key, usual }) => [key, usual]));
 const applies = (setting, method) => !setting.of || setting.of.includes(method);
@@ -45,22 +37,19 @@ const applies = (setting, method) => !setting.of || setting.of.includes(method);
 function run_name(state, other) {
   const value = (setting, of) => applies(setting, of.method) ? of[setting.key] : setting.usual;
   const named = settings.filter(setting => other ? value(setting, state) !== value(setting, other) : !setting.more);
-  const texts = named.map(setting => `${setting.more ? `${setting.title} ` : ''}${setting.values.get(value(setting, state)).text}`);
+  const texts = named.map(setting => `${setting.more ? `${setting.title} ` : ''}${setting.values.get(value(setting, state))}`);
   return named.length > 0 ? texts.join(', ') : run_name(state);
 }
 
-// The words of the command that solves the room with N lines.
+// The words of the command that solves the room with N lines, a power of two.
 function command_words(state, lines) {
   const words = ['solve', state.scene];
   for (const setting of settings)
     if (applies(setting, state.method) && (state[setting.key] !== setting.usual || setting.key === 'method' || setting.key === 'patches'))
       words.push(setting.option, state[setting.key]);
-  words.push('--lines', lines_text(lines));
+  words.push('--lines', `2^${Math.log2(lines)}`);
   return words;
 }
-
-// A power of two as the program writes and reads it.
-const lines_text = lines => Number.isInteger(Math.log2(lines)) ? `2^${Math.log2(lines)}` : String(lines);
 
 // A link holds what differs from the usual settings.
 function link_of(state) {

@@ -16,7 +16,7 @@ function cosine_direction(normal) {
 // { from, to, light }.
 function lights_of(patch, room, radiosity) {
   const s = room.surface_of(patch), outline = room.patch_outline(patch), back = room.is_back(patch);
-  const normal = times(back ? -1 : 1, normalized(cross(room.edge_u(s), room.edge_v(s))));
+  const normal = times(back ? -1 : 1, room.normal(s));
   const light = new Map(), rays = [];
   let all = 0;
   for (let ray = 0; ray < rays_of_patch; ++ray) {

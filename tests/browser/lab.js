@@ -172,7 +172,8 @@ async function lesson_left(page) {
 
 // The formulas that texts name are explained, with their values in this room.
 async function formulas_explained(page) {
-  const unknown = await page.run(`[...JSON.stringify([laboratory.lessons, settings.map(({ values, note }) => [[...values].flat(), note])])
+  const unknown = await page.run(`[...JSON.stringify([laboratory.lessons, settings.map(({ values }) => [...values].flat()),
+    [...document.querySelectorAll('[id^=note-]')].map(note => note.textContent)])
     .matchAll(/\\([A-Z]?\\d\\)/g)].map(([label]) => label).filter(label => !(label in formulas))`);
   tell(unknown.length === 0, 'every label in lessons and settings has a formula', unknown);
   await page.run("(laboratory.restart({ ...usual_settings(), scene: '5cubes', method: 'extended', size: 12 }), 0)");
@@ -220,6 +221,35 @@ async function lights_told(page) {
   }
 }
 
+// A patch is marked, and can be clicked, only while its surface is drawn.
+async function marks_seen(page) {
+  await page.run("(laboratory.restart({ scene: '5cubes', method: 'extended', size: 8 }), 0)");
+  await page.until(done);
+  const { wrong, picked, marks } = await page.run(`(() => {
+    const { room, camera } = multipath;
+    multipath.go_outside();
+    const picked = [], box = ${find('view')}.getBoundingClientRect(), marks = [];
+    for (let n = 0; n < 400; ++n) {
+      const patch = multipath.patch_at(box.left + (n % 20 + 0.5) * box.width / 20, box.top + (Math.floor(n / 20) + 0.5) * box.height / 20);
+      if (patch !== null)
+        picked.push(patch);
+    }
+    const wrong = picked.filter(patch => !room.faces(patch, camera.eye)).length;
+    for (const eye of [camera.eye, room.box[0].map((x, k) => 0.5 * (x + room.box[1][k]))])
+      for (let patch = 0; patch < room.patch_count; patch += 50) {
+        multipath.state.selected = patch;
+        camera.eye = eye;
+        const s = room.surface_of(patch), front = dot(cross(room.edge_u(s), room.edge_v(s)), minus(eye, room.origin(s))) > 0;
+        marks.push((multipath.marks().length > 0) === front);
+      }
+    multipath.state.selected = null;
+    multipath.go_home();
+    return { picked: picked.length, marks, wrong };
+  })()`);
+  tell(picked > 20 && wrong === 0, 'from outside a click picks what is drawn', `${picked} picked, ${wrong} wrong`);
+  tell(marks.every(Boolean), 'a patch is marked while its front is seen', `${marks.filter(x => !x).length} of ${marks.length} wrong`);
+}
+
 // Memory after many runs and rooms.
 async function many_runs(page) {
   const memory = async () => (await page.run("performance.memory ? performance.memory.usedJSHeapSize : 0")) / 2 ** 20;
@@ -239,8 +269,16 @@ async function small_screen() {
     const page = await open_page(browser, `${url}#size=10`, width, height);
     await page.until(done);
     tell(await page.run('document.scrollingElement.scrollWidth <= innerWidth'), `nothing is cut off at ${width} pixels`);
-    if (width < 500)
+    if (width < 500) {
       await controls_reached(page);
+      const open = () => page.run(`[...document.querySelectorAll('aside')].map(aside =>
+        [aside.querySelector('header + div').hidden, aside.querySelector('header button').textContent].join())`);
+      await page.run(`${find('fold')}.click()`);
+      const seen = [await open()];
+      await page.run(`${find('lab-fold')}.click()`);
+      seen.push(await open());
+      tell(seen.join(' ') === 'true,Laboratory,false,Hide false,Hide,true,Controls', 'one panel at a time is open on a telephone', seen.join(' '));
+    }
     if (pictures)
       await page.picture(path.join(pictures, `lab-${width}.png`));
     page.close();
@@ -252,7 +290,7 @@ async function small_screen() {
   try {
     await first_picture(page);
     await page.until(done);
-    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lesson_left, formulas_explained, values_tried, lights_told, lessons, many_runs])
+    for (const look of [same_bytes, links, errors_compared, progress_told, controls_reached, own_rooms, lesson_left, formulas_explained, values_tried, lights_told, marks_seen, lessons, many_runs])
       await look(page);
     tell(page.said.length === 0, 'no error on the console', page.said.join('; '));
   } finally {

@@ -378,9 +378,8 @@ class Drawing {
       Object.assign(this.canvas, { width, height });
   }
 
-  // look: { values, scale, tone, smooth, borders, arrived_scale, background }, and for a comparison `other`, values to
-  // be shown on the left of the share `wipe` of the picture's width. A trace that is seen from outside shows no backs, which
-  // would hide its lines.
+  // look: { values, scale, tone, smooth, borders, backs, arrived_scale, background }, and for a comparison `other`, values
+  // to be shown on the left of the share `wipe` of the picture's width.
   draw(camera, look) {
     const gl = this.gl;
     this.fit();
@@ -393,8 +392,7 @@ class Drawing {
     gl.depthFunc(gl.LESS);
     gl.depthMask(true);
     gl.disable(gl.BLEND);
-    const backs = this.room.two_sided && (look.arrived_scale === 0 || camera.within());
-    if (backs) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
+    if (look.backs) gl.disable(gl.CULL_FACE); else gl.enable(gl.CULL_FACE);
     const parts = look.other ? [[look.other, 0, look.wipe], [look.values, look.wipe, 1]] : [[look.values, 0, 1]];
     gl.enable(gl.SCISSOR_TEST);
     for (const [values, from, to] of parts) {
@@ -468,9 +466,8 @@ class Drawing {
     gl.bindVertexArray(null);
   }
 
-  // Draws the picture and reads it back: bytes of red, green, blue and opacity, from the bottom row up.
-  pixels(camera, look) {
-    this.draw(camera, look);
+  // Reads back the picture that was just drawn: bytes of red, green, blue and opacity, from the bottom row up.
+  pixels() {
     const { width, height } = this.canvas, bytes = new Uint8Array(4 * width * height);
     this.gl.readPixels(0, 0, width, height, this.gl.RGBA, this.gl.UNSIGNED_BYTE, bytes);
     return { width, height, bytes };

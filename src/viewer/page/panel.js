@@ -44,9 +44,8 @@ const save_as = (name, url) => Object.assign(document.createElement('a'), { href
 async function copy_text(button, text) {
   try {
     await navigator.clipboard.writeText(text);
-    const before = button.textContent;
-    button.textContent = 'Copied';
-    setTimeout(() => { button.textContent = before; }, 1500);
+    button.classList.add('done');
+    setTimeout(() => button.classList.remove('done'), 1500);
   } catch {
     window.prompt('To be copied', text);
   }
@@ -66,9 +65,14 @@ class Panel {
     this.viewer = viewer;
     this.controls = document.querySelectorAll('[data-state]'); // each shows the part of the state that is its name
     this.listen();
-    for (const aside of document.querySelectorAll('aside'))
-      aside.querySelector('header button').addEventListener('click', () => fold(aside, !aside.classList.contains('folded')));
-    fold(element('panel'), window.matchMedia('(max-width: 640px)').matches);
+    const asides = [...document.querySelectorAll('aside')], narrow = window.matchMedia(`(max-width: ${asides.length > 1 ? 1100 : 640}px)`);
+    for (const aside of asides)
+      aside.querySelector('header button').addEventListener('click', () => {
+        const folded = aside.classList.contains('folded');
+        (narrow.matches ? asides : [aside]).forEach(one => fold(one, !(one === aside && folded))); // there is room for one
+      });
+    fold(element('panel'), narrow.matches);
+    narrow.addEventListener('change', () => fold(element('panel'), narrow.matches));
   }
 
   // Names the room and what can be shown of it.

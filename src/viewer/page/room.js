@@ -111,6 +111,9 @@ class Room {
 
   is_back(patch) { return patch >= this.cell_count; }
 
+  normal(s) { return normalized(cross(this.edge_u(s), this.edge_v(s))); } // of the front
+  faces(patch, point) { return dot(this.normal(this.surface_of(patch)), minus(point, this.patch_outline(patch)[0])) > 0 !== this.is_back(patch); }
+
   surface_of(patch) { return this.surface[patch % this.cell_count]; }
   material_of(patch) { return this.materials[this.material[this.surface_of(patch)]]; }
   reflectance(patch) { return this.reflectances ? three_at(this.reflectances, patch) : this.material_of(patch).reflectance; }
@@ -144,16 +147,16 @@ class Room {
     return `${this.groups[this.group[s]] || this.materials[this.material[s]].name}, ${this.file}:${this.line[s]}`;
   }
 
-  // The first hit of a ray; null if there is none. Rays pass through the backs of one-sided surfaces, as in the
-  // program's pictures.
-  nearest_hit(origin, direction) {
+  // The first hit of a ray; null if there is none. Without `backs` rays pass through them, as in the program's pictures of
+  // one-sided surfaces.
+  nearest_hit(origin, direction, backs = this.two_sided) {
     const g = this.geometry;
     let nearest = null;
     for (let s = 0, k = 0; s < this.surface_count; ++s, k += 9) {
       const a = [g[k + 3], g[k + 4], g[k + 5]], b = [g[k + 6], g[k + 7], g[k + 8]];
       const across = cross(direction, b);
       const determinant = dot(a, across); // = -direction . (a x b): above zero where the ray meets the front
-      if (determinant === 0 || (determinant < 0 && !this.two_sided))
+      if (determinant === 0 || (determinant < 0 && !backs))
         continue;
       const from = [origin[0] - g[k], origin[1] - g[k + 1], origin[2] - g[k + 2]];
       const u = dot(from, across) / determinant;

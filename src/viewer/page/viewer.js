@@ -58,8 +58,10 @@ class Viewer {
     const selected = this.state.selected;
     Object.assign(this.state, part);
     this.panel.refresh(this.state);
-    if (this.state.selected !== selected)
+    if (this.state.selected !== selected) {
       this.show_rays([]);
+      element('patch').scrollIntoView({ block: 'nearest' });
+    }
     this.request_draw();
   }
 
@@ -89,7 +91,7 @@ class Viewer {
 
   // The picture as a URL. It is drawn again, since the canvas keeps a picture only until the next frame.
   png() {
-    this.drawing.draw(this.camera, this.look());
+    this.draw();
     return this.canvas.toDataURL('image/png');
   }
 
@@ -100,9 +102,17 @@ class Viewer {
     this.requested = true;
     requestAnimationFrame(() => {
       this.requested = false;
-      this.drawing.draw(this.camera, this.look());
+      this.draw();
     });
   }
+
+  draw() {
+    this.drawing.set_marks(this.marks());
+    this.drawing.draw(this.camera, this.look());
+  }
+
+  // In a room of two sides. A trace that is seen from outside shows no backs, which would hide its lines.
+  get shows_backs() { return this.room.two_sided && (!this.trace.active || this.camera.within()); }
 
   // Index of the quantity that is drawn now. A trace is shown in light, with the solved room dimmed.
   get drawn_quantity() { return this.trace.active ? 0 : this.state.quantity; }
@@ -112,7 +122,7 @@ class Viewer {
     const { state, trace } = this, values = this.quantities[this.drawn_quantity];
     const background = getComputedStyle(document.documentElement).getPropertyValue('--outside').split(' ').map(Number);
     return {
-      values, tone: tone_numbers[this.tone.curve], borders: state.mesh, smooth: state.shading === 'smooth',
+      values, backs: this.shows_backs, tone: tone_numbers[this.tone.curve], borders: state.mesh, smooth: state.shading === 'smooth',
       scale: values.light ? this.tone.scale * 2 ** state.exposure : 1 / values.legend.top,
       arrived_scale: trace.active ? trace.scale * 2 ** state.exposure : 0, background,
       other: trace.active ? null : this.other?.[state.quantity], wipe: this.wipe };
@@ -123,34 +133,30 @@ class Viewer {
     if (this.trace.active)
       this.drawing.set_arrived(this.trace.arrived());
     this.panel.show_kind();
-    this.show_marks();
+    this.request_draw();
   }
 
-  // Sets the marks: the lines of the trace and the outline of the selected patch.
-  show_marks() {
-    const marks = this.trace.active ? this.trace.marks() : [];
-    marks.push(...(this.rays || []));
-    if (this.state.selected !== null) {
-      const corners = this.room.patch_outline(this.state.selected);
-      corners.forEach((from, k) =>
+  // The lines of the trace, rays, and the outline of the selected patch if its surface is drawn.
+  marks() {
+    const { room, state: { selected } } = this, marks = this.trace.active ? this.trace.marks() : [];
+    if (selected !== null && (this.shows_backs || room.faces(selected, this.camera.eye)))
+      room.patch_outline(selected).forEach((from, k, corners) =>
         marks.push({ from, to: corners[(k + 1) % corners.length], width: 3, colour: [0.15, 0.75, 1, 1] }));
-    }
-    this.drawing.set_marks(marks);
-    this.request_draw();
+    return [...marks, ...this.rays];
   }
 
   // Shows these rays until another patch is selected, or another result is shown; what is told of them ends with them.
   show_rays(rays) {
     this.rays = rays;
     this.canvas.dispatchEvent(new Event('rays'));
-    this.show_marks();
+    this.request_draw();
   }
 
   // The hit seen at a position of the page, in pixels; null if nothing is seen there.
   hit_at(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const direction = this.camera.ray(x - box.left, y - box.top, box.width, box.height);
-    return this.room.nearest_hit(this.camera.eye, direction);
+    return this.room.nearest_hit(this.camera.eye, direction, this.shows_backs);
   }
   patch_at(x, y) {
     const hit = this.hit_at(x, y);
@@ -160,7 +166,10 @@ class Viewer {
   // For scripts and tests.
   values(patch) { return Object.fromEntries(this.quantities.map(quantity => [quantity.key, value_at(quantity, patch)])); }
   arrived() { return this.trace.arrived(); }
-  picture() { return this.drawing.pixels(this.camera, this.look()); }
+  picture() {
+    this.draw();
+    return this.drawing.pixels();
+  }
 
   pick_middle() {
     const box = this.canvas.getBoundingClientRect();
