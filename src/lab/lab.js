@@ -11,7 +11,7 @@ class Laboratory {
     this.kept = null; // run A of a comparison
     this.queue = []; // runs of a lesson that are to follow
     this.tried = new Map(); // by values of the setting of a lesson: the errors with them
-    this.ratios = {}; // those by (3) that were taken, by the key of the run
+    this.ratios = {}; // those by (3) that were taken, by the key of the run and the method
     this.state = state_of('');
     this.controls = new LabControls(this);
     this.follow(location.hash.slice(1));
@@ -24,6 +24,7 @@ class Laboratory {
     Object.assign(this.state, state_of(link));
     if (!this.has_scene(this.state.scene))
       this.state.scene = usual_state().scene;
+    this.predicted = undefined;
     this.controls.show_lesson(this.lesson());
     this.begin();
   }
@@ -133,7 +134,7 @@ class Laboratory {
     if (code !== 0)
       return this.controls.show_message(message);
     if (counts && this.state.ratio === 'auto')
-      this.ratios[this.run.key] = Number(counts[1].replaceAll(',', '')) / Number(counts[2].replaceAll(',', ''));
+      this.ratios[[this.key, this.state.method]] = Number(counts[1].replaceAll(',', '')) / Number(counts[2].replaceAll(',', ''));
     this.take(lines, room_data(files.get('room.html')));
     this.controls.show_progress(lines, 1);
     if (this.next <= 2 ** size)
@@ -294,6 +295,7 @@ class Laboratory {
     this.own_scene = scene;
     Object.assign(element('own-scene'), { value: scene, textContent: scene, hidden: false });
     this.key = this.kept = null; // the file may be another one of the same name
+    this.ratios = {};
     this.restart({ scene });
   }
 }

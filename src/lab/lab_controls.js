@@ -82,9 +82,9 @@ class LabControls {
 
   // The present values of the formulas, where they are known.
   show_values() {
-    const { run, viewer, shown_key, key } = this.lab, last = run?.points[run.points.length - 1], { area, power, reflectance } = viewer?.room.all || {};
+    const { run, state, viewer, shown_key, key } = this.lab, last = run?.points[run.points.length - 1], { area, power, reflectance } = viewer?.room.all || {};
     element('clear').disabled = !this.lab.kept;
-    const values = { '(1)': last && number_text(last.error, 2), '(3)': this.lab.ratios[run?.key]?.toFixed(2),
+    const values = { '(1)': last && number_text(last.error, 2), '(3)': this.lab.ratios[[key, state.method]]?.toFixed(2),
                      '(4)': shown_key === key && area && `${number_text(reflectance * power / (area * (1 - reflectance)))} W/m²` };
     for (const [label, value] of Object.entries(values))
       formulas[label] = this.statements[label] + (value ? `; here ${value}` : '');
@@ -133,7 +133,8 @@ class LabControls {
   }
   // The surfaces that light the selected patch, with their shares.
   show_lights(surfaces) {
-    this.lights.replaceChildren();
+    if (element('stage').classList.contains('compared'))
+      append_row(this.lights, ['By the light of B', '']);
     for (const { name, share } of surfaces)
       append_row(this.lights, [name, `${(100 * share).toFixed(1)} %`]);
   }
@@ -147,7 +148,7 @@ class LabControls {
   }
   // The values of the lesson's setting that were tried, in ascending order, with their errors.
   show_tried(key, errors) {
-    const number = value => value === 'auto' ? this.lab.ratios[this.lab.run.key] : Number(value);
+    const number = value => value === 'auto' ? this.lab.ratios[[this.lab.key, this.lab.state.method]] : Number(value);
     const least = Math.min(...errors.map(([, error]) => error)), select = element(`setting-${key}`);
     element('tried').replaceChildren();
     append_row(element('tried'), [select.getAttribute('aria-label'), 'error (1)']);

@@ -185,6 +185,12 @@ async function formulas_explained(page) {
   }))(multipath.room, minus(multipath.room.box[1], multipath.room.box[0]))`);
   tell(Math.abs(by_3.replace('by (3): ', '') - ratio) < 0.01, 'the value of (3) is that in this room', `${by_3} ${ratio}`);
   tell(by_4 === `by (4): ${/threshold, ([\d.]+) W/.exec(note)[1]} W/m²`, 'the value of (4) is that in this room', by_4);
+  await page.run(choose('setting-method', 'first-shot'));
+  await page.until(done); // here f is that of the lamps
+  tell(Math.abs(await page.run(`Number(${find('setting-ratio')}.options[0].text.replace('by (3): ', ''))`) - 1.29) < 0.011, 'the first shot has its own value of (3)');
+  await page.run(choose('setting-method', 'extended'));
+  tell(await page.run(`${find('setting-ratio')}.options[0].text`) === by_3, 'which is not taken for that of the extended one');
+  await page.until(done);
   const shown = await page.run(`(tip => { tip.focus(); tip.blur(); tip.dispatchEvent(new Event('focus')); return tip.textContent; })(${find('setting-ratio')}.parentNode.firstChild)`);
   tell(shown.includes('√') && shown.includes(by_3.replace('by (3): ', '; here ')), 'the setting shows the formula and its value', shown);
   const ratios = await page.run(`[...${find('setting-ratio')}.options].slice(1).map(({ value }) => Number(value))`);
