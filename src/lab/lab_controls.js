@@ -151,7 +151,7 @@ class LabControls {
     const number = value => value === 'auto' ? this.lab.ratios[[this.lab.key, this.lab.state.method]] : Number(value);
     const least = Math.min(...errors.map(([, error]) => error)), select = element(`setting-${key}`);
     element('tried').replaceChildren();
-    append_row(element('tried'), [select.getAttribute('aria-label'), 'error (1)']);
+    append_row(element('tried'), [select.getAttribute('aria-label'), 'error']);
     for (const [value, error] of errors.sort(([a], [b]) => number(a) - number(b)))
       append_row(element('tried'), [[...select.options].find(option => option.value === value).text,
         number_text(error, 3) + (error === least ? ', the least' : '')]);

@@ -15,7 +15,7 @@ function append_element(parent, name, text) {
 function append_row(table, [heading, ...cells]) {
   const row = append_element(table, 'tr', '');
   append_element(row, 'th', heading).scope = 'row';
-  cells.forEach(text => write_text(append_element(row, 'td', ''), text));
+  cells.forEach(text => append_element(row, 'td', text));
 }
 
 // Appends a label with an explanation, given by the function `text`, that the style sheet shows under the pointer or the focus.
