@@ -163,7 +163,7 @@ class LabControls {
     element('lesson-status').textContent = '';
     if (this.lab.lesson().setting)
       element('lesson-try').append(this.rows.get(this.lab.lesson().setting));
-    element('plot-text').scrollIntoView({ block: 'nearest' });
+    element('plot').scrollIntoView({ block: 'nearest' });
     element('lesson-finding').scrollIntoView({ block: 'nearest' });
   }
 }

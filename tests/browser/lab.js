@@ -155,7 +155,7 @@ async function lesson_left(page) {
   tell(/^A \S.* 0\.05: error [^]*\nB \S.* 0\.5: error /.test(names), 'the curves are named by what differs, A first', names);
   await page.run("(multipath.change({ selected: 300 }), 0)");
   const { table, values } = await page.run(`({ table: ${text_of('patch-rows')}, values: [laboratory.kept, laboratory.run].map(({ quantities }) =>
-    colour_text(three_at(quantities[0].values, 300))) })`);
+    colour_text([...quantities[0].values.subarray(900, 903)])) })`);
   tell(table.includes(`A: ${values[0]}\nB: ${values[1]}`), 'a patch shows the numbers of both halves', table);
   await page.run(choose('scene', 'cornell'));
   await page.until(done);
@@ -172,17 +172,17 @@ async function lesson_left(page) {
 
 // The formulas that texts name are explained, with their values in this room.
 async function formulas_explained(page) {
-  const unknown = await page.run(`[...JSON.stringify([laboratory.lessons, settings.map(({ values }) => [...values].flat()),
-    [...document.querySelectorAll('[id^=note-]')].map(note => note.textContent)])
-    .matchAll(/\\([A-Z]?\\d\\)/g)].map(([label]) => label).filter(label => !(label in formulas))`);
+  const unknown = await page.run(`[...JSON.stringify([laboratory.lessons,
+    [...document.querySelectorAll('option, [id^=note-]')].map(text => text.textContent)])
+    .matchAll(/\\([A-Z]?\\d\\)/g)].map(([label]) => label).filter(label => !(label in JSON.parse(${find('formulas')}.textContent)))`);
   tell(unknown.length === 0, 'every label in lessons and settings has a formula', unknown);
-  await page.run("(laboratory.restart({ ...usual_settings(), scene: '5cubes', method: 'extended', size: 12 }), 0)");
+  await page.run("(laboratory.restart({ ...state_of('size=12'), lesson: '' }), 0)");
   await page.until(done);
   // After the extended first shot f = 1 and R_s' = R_ave, both of which the page knows; the threshold is in the notes of the trace.
-  const { by_3, by_4, ratio, note } = await page.run(`(({ box: [low, high], all: { area, reflectance: r } }, [a, b, c]) => ({
+  const { by_3, by_4, ratio, note } = await page.run(`(({ all: { area, reflectance: r } }, [a, b, c]) => ({
     ratio: Math.sqrt(2 * area / (2 * (a * b + b * c + c * a)) * (1 - r * r) * (1 - r) / (r * r * (1 - r) + 2 * r ** 3)),
     by_3: ${find('setting-ratio')}.options[0].text, by_4: ${find('setting-threshold')}.options[0].text, note: multipath.trace.lines[0].note
-  }))(multipath.room, minus(multipath.room.box[1], multipath.room.box[0]))`);
+  }))(multipath.room, multipath.room.box[1].map((x, k) => x - multipath.room.box[0][k]))`);
   tell(Math.abs(by_3.replace('by (3): ', '') - ratio) < 0.01, 'the value of (3) is that in this room', `${by_3} ${ratio}`);
   tell(by_4 === `by (4): ${/threshold, ([\d.]+) W/.exec(note)[1]} W/m²`, 'the value of (4) is that in this room', by_4);
   await page.run(choose('setting-method', 'first-shot'));
@@ -245,7 +245,8 @@ async function marks_seen(page) {
       for (let patch = 0; patch < room.patch_count; patch += 50) {
         multipath.state.selected = patch;
         camera.eye = eye;
-        const s = room.surface_of(patch), front = dot(cross(room.edge_u(s), room.edge_v(s)), minus(eye, room.origin(s))) > 0;
+        const s = room.surface_of(patch), u = room.edge_u(s), v = room.edge_v(s), from = eye.map((x, k) => x - room.origin(s)[k]);
+        const front = from[0] * (u[1] * v[2] - u[2] * v[1]) + from[1] * (u[2] * v[0] - u[0] * v[2]) + from[2] * (u[0] * v[1] - u[1] * v[0]) > 0;
         marks.push((multipath.marks().length > 0) === front);
       }
     multipath.state.selected = null;
