@@ -266,7 +266,7 @@ void Scene::compute_sunlight(int threads)
             const double cosine = dot(side.shape.normal(), file_->sun->direction);
             if (!(cosine > 0.0) || is_sky(side.surface))
                 continue;
-            double share = sunlit_share(*this, side, 16);
+            double share = sunlit_share(*this, side, 64);
             if (share > 0.0 && share < 1.0) // the edge of a shadow
                 share = sunlit_share(*this, side, 256);
             sun_shares_[i] = cosine * share;
