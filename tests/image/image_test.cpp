@@ -52,7 +52,8 @@ TEST_CASE("the channels of an OpenEXR picture are the nearest half floats")
         {65504.0, 0x7bff}, {65519.0, 0x7bff},   {1e9, 0x7bff},         {0x1p-14, 0x0400},       {0x1p-24, 0x0001},
         {0x1p-25, 0x0000}, {0x1.8p-24, 0x0002}, {0x1.ff8p-15, 0x03ff}, {1.0 + 0x1p-11, 0x3c00}, {1.0 + 0x3p-11, 0x3c02},
         {2047.75, 0x6800}, {1e-30, 0x0000},     {-1e9, 0xfbff}};
-    for (const auto& [value, bits] : known) {
+    for (const auto& [number, bits] : known) {
+        const double value = number;
         const std::string bytes = exr_bytes({1, 1, {{0.0, 0.0, value}}});
         const std::string row = bytes.substr(bytes.size() - 6); // blue, green, red
         CAPTURE(value);

@@ -38,7 +38,9 @@ std::uint64_t RoundLimit::next_lines(const Round& round, double seconds)
         const double excess = round.relative_standard_error / accuracy_.noise_tolerance();
         if (round.lines >= least_lines_ && excess <= 1.0)
             return 0;
-        while (growth < most_growth && (growth < excess * excess || growth * round.lines < least_lines_))
+        const auto lines = static_cast<double>(round.lines);
+        const double needed = std::max(excess * excess * lines, static_cast<double>(least_lines_));
+        while (growth < most_growth && static_cast<double>(growth) * lines < needed)
             growth *= 2;
     }
     const auto is_too_much = [&] {

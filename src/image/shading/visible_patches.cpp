@@ -4,6 +4,7 @@
 
 #include "image/shading/visible_patches.h"
 
+#include "geometry/polygon.h"
 #include "image/ray_fan.h"
 #include "image/shading/smoothing_groups.h"
 #include "parallel/blocks.h"
