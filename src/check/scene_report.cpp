@@ -11,8 +11,6 @@
 #include "transport/lines/depth_complexity.h"
 #include "transport/lines/global_lines.h"
 
-#include <algorithm>
-
 namespace multipath {
 
 namespace {

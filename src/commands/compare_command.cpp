@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <string>
 
 namespace multipath {
 

@@ -3,7 +3,6 @@
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "cli/provenance.h"
 #include "commands/commands.h"

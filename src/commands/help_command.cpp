@@ -1,14 +1,10 @@
 #include "base/errors.h"
 #include "base/text_format.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/help_text.h"
 #include "commands/commands.h"
-#include "commands/options/method_options.h"
 #include "commands/solve/formats.h"
+#include "radiosity/run/methods.h"
 #include "sampling/sequence.h"
-
-#include <string>
-#include <vector>
 
 namespace multipath {
 

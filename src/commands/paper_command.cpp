@@ -9,7 +9,6 @@
 #include "study/paper_report.h"
 
 #include <sstream>
-#include <string>
 
 namespace multipath {
 

@@ -1,7 +1,5 @@
 #include "base/errors.h"
-#include "base/text_format.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/command_line.h"
 #include "commands/commands.h"
 #include "commands/options/scene_options.h"
 #include "commands/solve/formats.h"

@@ -2,7 +2,6 @@
 #include "base/lists.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"

@@ -8,7 +8,6 @@
 #include "base/text_format.h"
 #include "cli/files/output_file.h"
 #include "cli/files/standard_streams.h"
-#include "cli/options/command_line.h"
 #include "cli/options/number_text.h"
 #include "cli/progress.h"
 #include "cli/provenance.h"
@@ -32,10 +31,6 @@
 #include <cctype>
 #include <optional>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace multipath {
 

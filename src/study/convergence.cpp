@@ -13,7 +13,6 @@
 #include <cinttypes>
 #include <cstring>
 #include <locale>
-#include <mutex>
 #include <sstream>
 #include <stdexcept>
 
