@@ -26,23 +26,21 @@ std::uint64_t directions_of(const BundlePlan& plan, const JacobiIterations& iter
 StageTrace bundle_stage(std::uint64_t shot_lines, std::uint64_t rays, std::uint64_t lines_to_meet,
                         std::uint64_t directions, const Bundle& bundle)
 {
-    StageTrace trace;
-    trace.title = "Lines of one direction of transillumination";
-    trace.context = {
-        "Before it the first shot took " + counted(shot_lines, "ray", "rays") +
-            ". The power that patches reflected from them is unshot, and " + counted(rays, "ray", "rays") +
-            " from patch to patch gave a first estimate of all light that it brings. The iterations improve it: in the "
-            "first one " +
-            counted(lines_to_meet, "parallel line meets", "parallel lines meet") + " the scene's box along each of " +
-            counted(directions, "direction", "directions") + ".",
-        "This direction is " + point_text(bundle.direction()) + ". Through the smallest rectangle that hides the box " +
-            counted(bundle.count(), "line is", "lines are") + " cast; each stands for" +
-            format(" %.4g m^2 of it. ", bundle.section()) +
-            "Along a line that joins two patches, each sends the other its radiosity times twice that, over the number "
-            "of directions (P1)."};
-    trace.kind = "line";
-    trace.count = bundle.count();
-    return trace;
+    return {"Lines of one direction of transillumination",
+            {"Before it the first shot took " + counted(shot_lines, "ray", "rays") +
+                 ". The power that patches reflected from them is unshot, and " + counted(rays, "ray", "rays") +
+                 " from patch to patch gave a first estimate of all light that it brings. The iterations improve it: "
+                 "in the first one " +
+                 counted(lines_to_meet, "parallel line meets", "parallel lines meet") +
+                 " the scene's box along each of " + counted(directions, "direction", "directions") + ".",
+             "This direction is " + point_text(bundle.direction()) +
+                 ". Through the smallest rectangle that hides the box " +
+                 counted(bundle.count(), "line is", "lines are") + " cast; each stands for" +
+                 format(" %.4g m^2 of it. ", bundle.section()) +
+                 "Along a line that joins two patches, each sends the other its radiosity times twice that, over the "
+                 "number of directions (P1)."},
+            "line",
+            bundle.count()};
 }
 
 /// Traces the power along a line through the scene; sent(patch) [W] is what a patch sends along every line.

@@ -127,17 +127,16 @@ void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& wal
 /// The stage without its lines.
 StageTrace global_stage(const Run& run, double crossings_per_area)
 {
+    constexpr bool from_outside = true;
     const bool from_box = chords_of(run.options) == Chords::box;
-    StageTrace trace;
-    trace.title = "Lines of the global pass";
-    trace.context = {before_the_pass(run) + "The pass distributes it with " +
-                         counted(run.solution.global_lines, "global line", "global lines") +
-                         lines_drawn(from_box, run.solution.global_lines_cast),
-                     power_sent(run.scene, crossings_per_area, run.options.bidirectional)};
-    trace.kind = "line";
-    trace.from_outside = true;
-    trace.count = run.solution.global_lines_cast;
-    return trace;
+    return {"Lines of the global pass",
+            {before_the_pass(run) + "The pass distributes it with " +
+                 counted(run.solution.global_lines, "global line", "global lines") +
+                 lines_drawn(from_box, run.solution.global_lines_cast),
+             power_sent(run.scene, crossings_per_area, run.options.bidirectional)},
+            "line",
+            run.solution.global_lines_cast,
+            from_outside};
 }
 
 } // namespace

@@ -31,20 +31,17 @@ TracedLine trace_ray(const Scene& scene, const LineOrigin& origin, const Iterati
 /// The stage without its rays. `series_rays`: number of rays of the Neumann series before the iteration.
 StageTrace iteration_stage(std::uint64_t series_rays, std::uint64_t rays, bool bidirectional)
 {
-    StageTrace trace;
-    trace.title = "Rays of a stochastic Jacobi iteration";
-    trace.context = {"Before it, a Neumann series of " + counted(series_rays, "ray", "rays") +
-                         " gave a first estimate of all light. Each iteration improves it: every patch sends all its "
-                         "power, emitted and reflected, by rays in proportion to it, in the first one " +
-                         counted(rays, "ray", "rays") + ", numbered in the order of the patches. ",
-                     bidirectional
-                         ? "A ray between two patches carries power both ways. If d rays per m^2 leave the one and e "
-                           "the other, each patch sends its radiosity over d + e along every ray between them, "
-                           "whichever patch the ray leaves (J2)."
-                         : "If d rays per m^2 leave a patch, it sends its radiosity over d along each of them (J1)."};
-    trace.kind = "ray";
-    trace.count = rays;
-    return trace;
+    return {"Rays of a stochastic Jacobi iteration",
+            {"Before it, a Neumann series of " + counted(series_rays, "ray", "rays") +
+                 " gave a first estimate of all light. Each iteration improves it: every patch sends all its "
+                 "power, emitted and reflected, by rays in proportion to it, in the first one " +
+                 counted(rays, "ray", "rays") + ", numbered in the order of the patches. ",
+             bidirectional ? "A ray between two patches carries power both ways. If d rays per m^2 leave the one and e "
+                             "the other, each patch sends its radiosity over d + e along every ray between them, "
+                             "whichever patch the ray leaves (J2)."
+                           : "If d rays per m^2 leave a patch, it sends its radiosity over d along each of them (J1)."},
+            "ray",
+            rays};
 }
 
 } // namespace

@@ -43,7 +43,6 @@ void trace_paths(const Scene& scene, const SolveOptions& options, const Particle
                  StageTrace& trace, const Carried& carried)
 {
     const Run run(scene, options);
-    trace.count = particles.count();
     for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
         TracedLine path;
         path.origin = {n, run.first_item + n, run.sequence->item(run.first_item + n)};
@@ -63,18 +62,18 @@ StageTrace trace_particles(const Scene& scene, const SolveOptions& options, cons
 {
     const Particles particles = plan_particles(scene, PowerState(scene), options.lines, options.seed, options.threads);
     require_in_stage(range, particles.count(), "particles");
-    StageTrace trace;
-    trace.title = "Particles of local Monte Carlo";
-    trace.context = {
-        "The sources, " + counted(particles.shots().size(), "patch", "patches") + ", send " +
-        counted(particles.count(), "particle", "particles") +
-        " of equal power, as many as use up the lines of the run in expectation: every segment of a path counts as "
-        "a line. At every patch that it meets a particle draws a number. If it is below the patch's reflectance, "
-        "the particle is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
-        (options.estimator == Estimator::collision
-             ? "Wherever it arrives, its power is scored as arrived (L1)."
-             : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1).")};
-    trace.kind = "particle";
+    StageTrace trace = {
+        "Particles of local Monte Carlo",
+        {"The sources, " + counted(particles.shots().size(), "patch", "patches") + ", send " +
+         counted(particles.count(), "particle", "particles") +
+         " of equal power, as many as use up the lines of the run in expectation: every segment of a path counts as "
+         "a line. At every patch that it meets a particle draws a number. If it is below the patch's reflectance, "
+         "the particle is reflected and goes on from a uniform point of the patch, otherwise it is absorbed. " +
+         (options.estimator == Estimator::collision
+              ? "Wherever it arrives, its power is scored as arrived (L1)."
+              : "Only where it is absorbed it is scored, with its power over 1 - reflectance (L1).")},
+        "particle",
+        particles.count()};
     trace_paths(scene, options, particles, range, trace,
                 [&](const ParticleStep& step, std::uint32_t, TracedLine& path) -> std::string {
                     const bool arrives = Segment::is_patch(step.where);
@@ -92,20 +91,20 @@ StageTrace trace_walks(const Scene& scene, const SolveOptions& options, const Tr
 {
     const Particles walks = first_walks(Run(scene, options));
     require_in_stage(range, walks.count(), "walks");
-    StageTrace trace;
-    trace.title = "Gathering random walks";
-    trace.context = {
-        "The walks start at the patches whose light is wanted, in proportion to the square root of their area, " +
-        counted(walks.count(), "walk", "walks") +
-        " in the first round; the result is the mean of all rounds. At every patch that it meets a walk draws a "
-        "number. If it is below the patch's reflectance, the walk goes on from a uniform point of the patch, "
-        "otherwise it ends. " +
-        (options.estimator == Estimator::collision
-             ? "Wherever it arrives, the emittance there, over the number of walks of the first patch, is "
-               "added to the irradiance of the first patch (W1)."
-             : "Where it ends, the emittance there over 1 - reflectance, and over the number of walks of the "
-               "first patch, is added to the irradiance of the first patch (W1).")};
-    trace.kind = "walk";
+    StageTrace trace = {
+        "Gathering random walks",
+        {"The walks start at the patches whose light is wanted, in proportion to the square root of their area, " +
+         counted(walks.count(), "walk", "walks") +
+         " in the first round; the result is the mean of all rounds. At every patch that it meets a walk draws a "
+         "number. If it is below the patch's reflectance, the walk goes on from a uniform point of the patch, "
+         "otherwise it ends. " +
+         (options.estimator == Estimator::collision
+              ? "Wherever it arrives, the emittance there, over the number of walks of the first patch, is "
+                "added to the irradiance of the first patch (W1)."
+              : "Where it ends, the emittance there over 1 - reflectance, and over the number of walks of the "
+                "first patch, is added to the irradiance of the first patch (W1).")},
+        "walk",
+        walks.count()};
     trace_paths(scene, options, walks, range, trace,
                 [&](const ParticleStep& step, std::uint32_t first, TracedLine& path) -> std::string {
                     if (!Segment::is_patch(step.where))

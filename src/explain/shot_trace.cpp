@@ -70,19 +70,17 @@ void require_pass(const std::vector<ShotPass>& passes, std::size_t pass)
 /// The stage without its rays. `threshold` [W/m^2]: unshot radiosity above which patches shoot.
 StageTrace shot_stage(const std::vector<ShotPass>& passes, std::size_t pass, std::size_t shooters, double threshold)
 {
-    StageTrace trace;
-    trace.title = "Rays of pass " + std::to_string(pass + 1) + " of the first shot";
-    trace.context = {"A patch whose unshot radiosity exceeds the threshold" +
-                     format(", %.4g W/m^2 (4), shoots the excess. ", threshold) + "In this pass " +
-                     counted(shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", passes[pass].power) +
-                     counted(passes[pass].lines, "ray", "rays") +
-                     ", one after the other. A ray takes one item of four numbers: two for a uniform point of the "
-                     "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
-                     "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
-                     "until a later pass or the global lines send it on (S1)."};
-    trace.kind = "ray";
-    trace.count = passes[pass].lines;
-    return trace;
+    return {"Rays of pass " + std::to_string(pass + 1) + " of the first shot",
+            {"A patch whose unshot radiosity exceeds the threshold" +
+             format(", %.4g W/m^2 (4), shoots the excess. ", threshold) + "In this pass " +
+             counted(shooters, "patch shoots", "patches shoot") + format(" %.4g W with ", passes[pass].power) +
+             counted(passes[pass].lines, "ray", "rays") +
+             ", one after the other. A ray takes one item of four numbers: two for a uniform point of the "
+             "patch, two for a direction that favours the normal by the cosine, as diffuse light does. "
+             "Where it arrives its power is added to what has arrived, and the reflected part is unshot "
+             "until a later pass or the global lines send it on (S1)."},
+            "ray",
+            passes[pass].lines};
 }
 
 } // namespace

@@ -40,12 +40,12 @@ struct TracedRun
 /// the drawing and the page all show it.
 struct StageTrace
 {
-    std::string title;                ///< "Lines of the global pass"
-    std::vector<std::string> context; ///< paragraphs that explain the lines
-    std::string kind;                 ///< name of one line, such as "walk"
-    bool from_outside = false;        ///< the lines start on the sphere or box around the scene
-    std::uint64_t count = 0;          ///< number of all lines of the stage
-    std::vector<TracedLine> lines;    ///< those of the range
+    std::string title;                  ///< "Lines of the global pass"
+    std::vector<std::string> context;   ///< paragraphs that explain the lines
+    std::string kind;                   ///< name of one line, such as "walk"
+    std::uint64_t count;                ///< number of all lines of the stage
+    bool from_outside = false;          ///< the lines start on the sphere or box around the scene
+    std::vector<TracedLine> lines = {}; ///< those of the range
 };
 
 // Each function traces the lines of the range in one stage. Besides the errors named below, all throw
