@@ -1,6 +1,7 @@
 #include "selftest/selftest.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "export/csv_text.h"
 #include "parallel/blocks.h"
@@ -142,10 +143,9 @@ std::vector<Solution> solved_runs(const Scene& scene, Method method, const std::
     SolveOptions usual; // the same preparation with any number of lines
     usual.method = method;
     const Preparation preparation = prepare(scene, usual);
-    std::vector<Solution> runs;
-    for (int number = 0; number < settings.replicates; ++number)
-        runs.push_back(solve(scene, preparation, options_of_run(method, sequence, settings, number), [](double) {}));
-    return runs;
+    return serial_list(settings.replicates, [&](int number) {
+        return solve(scene, preparation, options_of_run(method, sequence, settings, number), [](double) {});
+    });
 }
 
 /// The check with mean, standard error and degrees of freedom of quantity(run) over the runs. Without randomisation,
@@ -221,15 +221,13 @@ std::vector<Check> known_scene_checks_by(const KnownScene& known, const Method m
 /// Power [W], mean of the channels, that the patches of each material reflect, for each run.
 std::vector<std::vector<double>> reflected_powers(const Scene& scene, const std::vector<Solution>& runs)
 {
-    std::vector<std::vector<double>> powers;
-    for (const Solution& run : runs) {
+    return mapped(runs, [&](const Solution& run) {
         std::vector<double> power(scene.materials().size());
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             power[scene.file().material[scene.surface_of(i)]] +=
                 scene.area(i) * mean(run.radiosity[i] - scene.emittance(i));
-        powers.push_back(std::move(power));
-    }
-    return powers;
+        return power;
+    });
 }
 
 /// The materials that reflect most power, at most most_materials, the brightest first.
@@ -264,13 +262,11 @@ std::vector<Check> material_checks(const Scene& scene, const std::string& method
                                    const std::vector<std::size_t>& materials,
                                    const std::vector<std::vector<double>>& powers, double unshot)
 {
-    std::vector<Check> checks;
-    for (const std::size_t m : materials) {
+    return mapped(materials, [&](std::size_t m) {
         Check check = {"agreement", method, scene_sequence, scene.materials()[m].name + " [W]"};
         check.allowance = missing_power(scene, m, unshot);
-        checks.push_back(measured_by(check, powers, [&](const std::vector<double>& power) { return power[m]; }));
-    }
-    return checks;
+        return measured_by(check, powers, [&](const std::vector<double>& power) { return power[m]; });
+    });
 }
 
 /// The check with the result of another method as the expected value. The standard errors of both are combined.

@@ -1,5 +1,6 @@
 #include "study/convergence.h"
 
+#include "base/lists.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
 #include "image/checksum.h"
@@ -217,9 +218,7 @@ Study run_study(const Scene& scene, const Reference& reference, const StudyPlan&
                 const ProgressCallback& progress)
 {
     const std::vector<PlannedRun> runs = runs_to_do(plan, journal);
-    double all_lines = 0.0;
-    for (const PlannedRun& run : runs)
-        all_lines += static_cast<double>(run.lines);
+    const auto all_lines = static_cast<double>(sum_over(runs, &PlannedRun::lines));
     double done_lines = 0.0;
     std::mutex mutex;
     parallel_blocks(runs.size(), threads, [&](std::uint64_t n) {

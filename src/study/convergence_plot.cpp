@@ -5,6 +5,7 @@
 #include "study/convergence_plot.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "base/text_format.h"
 #include "export/svg/svg_plot.h"
 #include "study/study_table.h"
@@ -76,12 +77,10 @@ bool shows_power_laws(Abscissa against)
 template <class Law>
 std::vector<PlotPoint> line_of(const Law& law, Extent across, int pieces)
 {
-    std::vector<PlotPoint> line;
-    for (int k = 0; k <= pieces; ++k) {
+    return serial_list(pieces + 1, [&](int k) -> PlotPoint {
         const double x = across.low + (across.high - across.low) * k / pieces;
-        line.push_back({x, elementary::log10(law.at(elementary::pow(10.0, x)))});
-    }
-    return line;
+        return {x, elementary::log10(law.at(elementary::pow(10.0, x)))};
+    });
 }
 
 /// A curve in logarithmic coordinates. Points whose error or abscissa is not above 0 are left out.
@@ -171,10 +170,7 @@ Plot plot_of(const std::vector<PlottedCurve>& curves, const std::vector<PlotPoin
 
 std::vector<SvgPoint> at(const Plot& plot, const std::vector<PlotPoint>& points)
 {
-    std::vector<SvgPoint> result;
-    for (const PlotPoint point : points)
-        result.push_back(plot.at(point));
-    return result;
+    return mapped(points, [&](PlotPoint point) { return plot.at(point); });
 }
 
 /// Positions of the filled marks, or of the hollow ones.
@@ -190,14 +186,11 @@ std::vector<SvgPoint> positions(const Plot& plot, const PlottedCurve& curve, boo
 /// The error bars, cut off at the frame.
 std::vector<VerticalBar> error_bars(const Plot& plot, const PlottedCurve& curve)
 {
-    std::vector<VerticalBar> bars;
-    for (const PlottedPoint& bar : curve.points) {
-        const auto [x, y] = plot.at(bar.middle);
+    return mapped(curve.points, [&](const PlottedPoint& bar) -> VerticalBar {
         const double top = plot.at({bar.middle.x, bar.high}).y;
         const double bottom = std::min(plot.at({bar.middle.x, bar.low}).y, plot.top + plot.height);
-        bars.push_back({x, top, bottom});
-    }
-    return bars;
+        return {plot.at(bar.middle).x, top, bottom};
+    });
 }
 
 /// Draws the curves, all marks on top of all lines. A dotted line joins the points of a curve without a law.

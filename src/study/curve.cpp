@@ -1,6 +1,7 @@
 #include "study/curve.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "radiosity/run/statistics.h"
 
 #include <algorithm>
@@ -14,17 +15,11 @@ namespace multipath {
 
 namespace {
 
+constexpr double tail = 0.05; // of intervals and tests, both sides
+
 double mean_of(const std::vector<double>& values)
 {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-std::vector<double> logarithms(const std::vector<double>& values)
-{
-    std::vector<double> logs;
-    for (const double value : values)
-        logs.push_back(elementary::log(value));
-    return logs;
 }
 
 } // namespace
@@ -38,8 +33,8 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::
 {
     if (std::set<double>(xs.begin(), xs.end()).size() < 3)
         return {};
-    const std::vector<double> across = logarithms(xs);
-    const std::vector<double> up = logarithms(ys);
+    const std::vector<double> across = mapped(xs, elementary::log);
+    const std::vector<double> up = mapped(ys, elementary::log);
     const double centre = mean_of(across);
     const double level = mean_of(up);
     double spread = 0.0;
@@ -63,7 +58,6 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& xs, const std::
 
 double exponent_interval(const PowerLaw& law)
 {
-    constexpr double tail = 0.05; // beyond either end of the interval
     return student_quantile(tail, law.points - 2) * law.exponent_error;
 }
 
@@ -108,8 +102,6 @@ std::optional<PowerLaw> fit(const std::vector<CurvePoint>& points, Abscissa agai
 // mean error is the mean of the laws, and if the law holds the constant has the mean 0.
 
 namespace {
-
-constexpr double tail = 0.05; // of intervals and tests, both sides
 
 /// The law of execution k, by least squares: local u + global v = error / mean at every point, with
 /// u = (1 + 1 / ratio) / mean and v = (1 + ratio) / mean.

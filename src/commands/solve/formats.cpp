@@ -182,12 +182,10 @@ public:
     /// A camera for each view.
     std::vector<GlbCamera> mesh_cameras() const
     {
-        std::vector<GlbCamera> all;
-        for (const View& view : options.views) {
+        return mapped(options.views, [&](const View& view) -> GlbCamera {
             const Camera c = camera_for(scene, options, view);
-            all.push_back({view.name, c.eye, c.target, c.up, c.field_of_view});
-        }
-        return all;
+            return {view.name, c.eye, c.target, c.up, c.field_of_view};
+        });
     }
 
     std::string page() const { return solution_page(scene, job_.options, solution, options, comments); }

@@ -129,12 +129,8 @@ std::string arrow_plot(const Plot& plot, const std::vector<Link>& links)
 
 std::string lag_plot(const Plot& plot, const LinkSeries& series)
 {
-    std::vector<PlotPoint> first;
-    std::vector<PlotPoint> second;
-    for (const Link& link : series.links) {
-        first.push_back({link.from.x, link.to.x});
-        second.push_back({link.from.y, link.to.y});
-    }
+    const auto first = mapped(series.links, [](const Link& link) { return PlotPoint{link.from.x, link.to.x}; });
+    const auto second = mapped(series.links, [](const Link& link) { return PlotPoint{link.from.y, link.to.y}; });
     const double diameter = dot_diameter(plot.width, 2 * series.links.size());
     return svg_axes(plot) + svg_dots(plot, first, svg_series_colour(0), diameter) +
            svg_dots(plot, second, svg_series_colour(1), diameter) +
@@ -165,12 +161,10 @@ std::string link_plots(const std::vector<LinkSeries>& all, const std::string& ti
 std::vector<Link> line_ends(const std::string& sequence, std::uint64_t seed, Pairing pairing, std::uint64_t count)
 {
     const std::unique_ptr<Sequence> lines = make_line_sequence(sequence, seed, pairing);
-    std::vector<Link> links;
-    for (std::uint64_t n = 0; n < count; ++n) {
+    return serial_list(count, [&](std::uint64_t n) -> Link {
         const Item item = lines->item(n);
-        links.push_back({{item[0], item[1]}, {item[2], item[3]}});
-    }
-    return links;
+        return {{item[0], item[1]}, {item[2], item[3]}};
+    });
 }
 
 } // namespace
