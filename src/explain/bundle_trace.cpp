@@ -51,7 +51,6 @@ void trace_exchange(const Scene& scene, const Sent& sent, TracedLine& line)
         line.transfers.push_back({after, from, to, sent(from), {}, sent(from)});
         line.notes.push_back(patch_name(scene, from) + " sends " + watts(sent(from)) + destination(scene, to));
     };
-    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back());
     for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
         const Segment segment = segment_after(line, after);
         if (Segment::is_patch(segment.from))

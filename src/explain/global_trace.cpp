@@ -111,8 +111,7 @@ void trace_segment(const Scene& scene, bool bidirectional, std::size_t after, Po
 void trace_power(const Scene& scene, const SolveOptions& options, PowerWalk& walk, TracedLine& line)
 {
     const bool from_box = chords_of(options) == Chords::box;
-    line.opening = "from " + point_text(line.points.front()) + " to " + point_text(line.points.back()) +
-                   (from_box ? ", both just outside the box" : " on the sphere");
+    line.opening += from_box ? ", both just outside the box" : " on the sphere";
     for (std::size_t after = 0; after <= line.crossings.size(); ++after) {
         const Segment segment = segment_after(line, after);
         if (Segment::is_patch(segment.from) || Segment::is_patch(segment.to))

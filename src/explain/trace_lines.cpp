@@ -49,6 +49,7 @@ TracedLine through_scene(const Scene& scene, const LineOrigin& origin, const Lin
 {
     TracedLine traced;
     traced.origin = origin;
+    traced.opening = "from " + point_text(line.origin) + " to " + point_text(to);
     traced.points.push_back(line.origin);
     for (const Hit& hit : hits) {
         traced.points.push_back(line.at(hit.t));

@@ -20,8 +20,8 @@ void append_ray(const Scene& scene, std::uint32_t from, const Line& ray, std::ui
 TracedLine traced_ray(const Scene& scene, const LineOrigin& origin, std::uint32_t from, std::uint32_t to,
                       const std::string& more);
 
-/// The trace of a line through the whole scene that ends at `to`, given its hits in order; still without its opening
-/// and what it carries.
+/// The trace of a line through the whole scene that ends at `to`, given its hits in order; still without what it
+/// carries.
 TracedLine through_scene(const Scene& scene, const LineOrigin& origin, const Line& line, Vec3 to,
                          const std::vector<Hit>& hits);
 
