@@ -113,6 +113,11 @@ double CsvTable::number(const CsvRow& row, std::size_t column) const
     return read_number(row.fields[column], place(row), header.fields[column]);
 }
 
+void CsvTable::refuse_field(const CsvRow& row, std::size_t column, const std::string& expected) const
+{
+    refuse(place(row), header.fields[column] + " is " + in_quotes(row.fields[column]) + ", expected " + expected);
+}
+
 CsvTable read_csv(const std::string& path)
 {
     CsvTable table;

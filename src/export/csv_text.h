@@ -47,6 +47,9 @@ struct CsvTable
     /// field is not a finite number.
     double number(const CsvRow& row, std::size_t column) const;
 
+    /// Throws InputError: "patch is `x`, expected ...".
+    [[noreturn]] void refuse_field(const CsvRow& row, std::size_t column, const std::string& expected) const;
+
     TextLocation place(const CsvRow& row) const { return {path, row.line}; }
 };
 

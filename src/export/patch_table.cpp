@@ -90,24 +90,11 @@ std::optional<ThreeColumns> error_columns(const CsvTable& table)
     return std::nullopt;
 }
 
-[[noreturn]] void refuse_field(const CsvTable& table, const CsvRow& row, std::size_t column,
-                               const std::string& expected)
-{
-    refuse(table.place(row),
-           table.header.fields[column] + " is " + in_quotes(row.fields[column]) + ", expected " + expected);
-}
-
-void require_patch(const CsvTable& table, const CsvRow& row, std::size_t column, std::size_t patch)
-{
-    if (row.fields[column] != std::to_string(patch))
-        refuse_field(table, row, column, std::to_string(patch) + ", since patches are numbered from 0");
-}
-
 double read_not_negative(const CsvTable& table, const CsvRow& row, std::size_t column)
 {
     const double number = table.number(row, column);
     if (!(number >= 0.0))
-        refuse_field(table, row, column, "0 or more");
+        table.refuse_field(row, column, "0 or more");
     return number;
 }
 
@@ -150,7 +137,9 @@ PatchTable read_patch_table(const std::string& path, const PatchTable* beside)
     patches.path = path;
     patches.comments = table.comments;
     for (const CsvRow& row : table.rows) {
-        require_patch(table, row, patch, patches.radiosity.size());
+        const std::string number = std::to_string(patches.radiosity.size());
+        if (row.fields[patch] != number)
+            table.refuse_field(row, patch, number + ", since patches are numbered from 0");
         patches.radiosity.push_back(read_colour(table, row, radiosity));
         if (error) {
             for (const std::size_t column : *error)

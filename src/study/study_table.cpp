@@ -163,8 +163,7 @@ Curve read_curve(const std::string& path, const std::string& name)
     const auto positive = [&](const CsvRow& row, std::size_t column) {
         const double value = table.number(row, column);
         if (!(value > 0.0))
-            refuse(table.place(row), table.header.fields[column] + " is " + in_quotes(row.fields[column]) +
-                                         ", expected a number above 0");
+            table.refuse_field(row, column, "a number above 0");
         return value;
     };
     Curve curve{{name, "", "", "", ""}, {}, {}};
@@ -172,11 +171,10 @@ Curve read_curve(const std::string& path, const std::string& name)
         CurvePoint point;
         const double count = positive(row, lines);
         if (!(count < 0x1p63) || count != std::floor(count))
-            refuse(table.place(row), "lines is " + in_quotes(row.fields[lines]) + ", expected a whole number");
+            table.refuse_field(row, lines, "a whole number");
         point.lines = static_cast<std::uint64_t>(count);
         if (!curve.points.empty() && point.lines <= curve.points.back().lines)
-            refuse(table.place(row),
-                   "lines is " + in_quotes(row.fields[lines]) + ", expected more than in the row before");
+            table.refuse_field(row, lines, "more than in the row before");
         point.relative = positive(row, relative);
         point.relative_error = error && !row.fields[*error].empty() ? table.number(row, *error) : 0.0;
         point.seconds = seconds ? positive(row, *seconds) : 0.0;
