@@ -41,6 +41,18 @@ std::vector<std::string> concatenated(const std::vector<std::vector<std::string>
     return all;
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    std::size_t start = 0;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator, start)) {
+        parts.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    parts.push_back(text.substr(start));
+    return parts;
+}
+
 std::string lower_case(std::string_view text)
 {
     std::string result(text);

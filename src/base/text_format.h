@@ -30,6 +30,9 @@ std::string join(const Texts& parts, std::string_view separator = ", ")
 /// The texts of all lists, in order.
 std::vector<std::string> concatenated(const std::vector<std::vector<std::string>>& lists);
 
+/// The parts of a text between the separators; one more than there are separators.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// The text with the letters A to Z as a to z.
 std::string lower_case(std::string_view text);
 

@@ -41,16 +41,12 @@ namespace {
 std::vector<std::string> split_list(const std::string& text)
 {
     std::vector<std::string> entries;
-    std::size_t from = 0;
-    while (from <= text.size()) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string part = text.substr(from, comma - from);
+    for (const std::string_view part : split(text, ',')) {
         const bool number = !part.empty() && std::isdigit(static_cast<unsigned char>(part[0]));
         if (number && !entries.empty() && entries.back().find(':') != std::string::npos)
-            entries.back() += "," + part;
+            entries.back().append(",").append(part);
         else
-            entries.push_back(part);
-        from = comma + 1;
+            entries.emplace_back(part);
     }
     return entries;
 }

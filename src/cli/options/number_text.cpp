@@ -96,18 +96,6 @@ std::optional<double> value_with_unit(std::string_view text, const Units& units)
     return std::nullopt;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator)
-{
-    std::vector<std::string_view> parts;
-    std::size_t start = 0;
-    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator, start)) {
-        parts.push_back(text.substr(start, end - start));
-        start = end + 1;
-    }
-    parts.push_back(text.substr(start));
-    return parts;
-}
-
 } // namespace
 
 std::uint64_t read_count(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high)
