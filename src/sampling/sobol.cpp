@@ -44,20 +44,15 @@ constexpr DirectionNumbers expand(const Generator& generator)
     return v;
 }
 
-constexpr std::array<DirectionNumbers, dimensions> table = {expand(generators[0]), expand(generators[1]),
-                                                            expand(generators[2]), expand(generators[3]),
-                                                            expand(generators[4]), expand(generators[5])};
-
 } // namespace
 
-const std::array<DirectionNumbers, dimensions>& direction_numbers()
-{
-    return table;
-}
+constexpr std::array<DirectionNumbers, dimensions> direction_numbers = {expand(generators[0]), expand(generators[1]),
+                                                                        expand(generators[2]), expand(generators[3]),
+                                                                        expand(generators[4]), expand(generators[5])};
 
 std::uint64_t coordinate_bits(std::uint64_t n, int dimension)
 {
-    const DirectionNumbers& v = table[static_cast<std::size_t>(dimension)];
+    const DirectionNumbers& v = direction_numbers[static_cast<std::size_t>(dimension)];
     std::uint64_t x = 0;
     std::uint64_t gray = n ^ (n >> 1); // Antonov and Saleev: successive points differ by one direction number
     for (std::size_t bit = 0; gray != 0; ++bit, gray >>= 1)
@@ -69,12 +64,6 @@ std::uint64_t coordinate_bits(std::uint64_t n, int dimension)
 } // namespace sobol
 
 namespace {
-
-/// Position of the lowest bit that is 0.
-std::size_t lowest_zero(std::uint64_t n)
-{
-    return static_cast<std::size_t>(__builtin_ctzll(~n));
-}
 
 /// In the order of Antonov and Saleev successive points differ by one direction number, so that a walk from point to
 /// point takes one exclusive or per coordinate. The bits of the walk are reversed if they are to be scrambled.
@@ -88,7 +77,7 @@ public:
             keys_[d] = request.random_bits_of(d);
         for (std::size_t bit = 0; bit < sobol::index_bits; ++bit)
             for (std::size_t d = 0; d < 4; ++d)
-                steps_[bit][d] = walking(sobol::direction_numbers()[d][bit]);
+                steps_[bit][d] = walking(sobol::direction_numbers[d][bit]);
     }
 
     std::string name() const override { return kind_; }
@@ -107,7 +96,8 @@ public:
         for (Item& item : items) {
             for (std::size_t d = 0; d < 4; ++d)
                 item[d] = finished(bits[d], d);
-            const std::array<std::uint64_t, 4>& step = steps_[lowest_zero(n++)];
+            const auto lowest_zero = static_cast<std::size_t>(__builtin_ctzll(~n++)); // position of the bit in n
+            const std::array<std::uint64_t, 4>& step = steps_[lowest_zero];
             for (std::size_t d = 0; d < 4; ++d)
                 bits[d] ^= step[d];
         }

@@ -19,7 +19,7 @@ constexpr int index_bits = 52;
 using DirectionNumbers = std::array<std::uint64_t, index_bits>;
 
 /// The direction numbers of all dimensions, by Sobol's recurrence.
-const std::array<DirectionNumbers, dimensions>& direction_numbers();
+extern const std::array<DirectionNumbers, dimensions> direction_numbers;
 
 /// Coordinate of point n as a fixed-point fraction (bit 63 stands for 1/2). n < 2^52, 0 <= dimension < 6.
 std::uint64_t coordinate_bits(std::uint64_t n, int dimension);

@@ -21,7 +21,7 @@ TEST_CASE("the direction numbers are those of Numerical Recipes")
         {1, 1, 1, 1, 1, 1}, {3, 1, 3, 3, 1, 1}, {5, 7, 7, 3, 3, 5}, {15, 11, 5, 15, 13, 9}};
     for (std::size_t j = 0; j < 4; ++j)
         for (std::size_t d = 0; d < 6; ++d)
-            CHECK((sobol::direction_numbers()[d][j] >> (63 - j)) == table[j][d]);
+            CHECK((sobol::direction_numbers[d][j] >> (63 - j)) == table[j][d]);
 }
 
 // In one dimension the first 2^k points are the multiples of 2^-k in some order, for every dimension: (0, 1)-sequences.
