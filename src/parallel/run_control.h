@@ -88,10 +88,6 @@ private:
     bool stopped_ = false;
 };
 
-/// Progress callback, called now and then with the number of lines done since the last call: from any thread, but never
-/// from two at once.
-using LineCounter = std::function<void(std::uint64_t lines)>;
-
 /// One shard, that is, one part of work that is split over several runs, usually on several computers.
 struct Shard
 {
@@ -112,7 +108,9 @@ private:
 struct RunControl
 {
     int threads = 1;
-    LineCounter line_counter{};       ///< empty: progress is not reported
+    /// Progress callback, called now and then with the number of lines done since the last call: from any thread, but
+    /// never from two at once. Empty: progress is not reported.
+    std::function<void(std::uint64_t lines)> line_counter{};
     Checkpoint* checkpoint = nullptr; ///< null: the work runs without pauses
     Shard shard{};                    ///< for stages whose results can be added; several shards need a checkpoint
 

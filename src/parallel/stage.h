@@ -29,7 +29,6 @@ namespace multipath {
 template <class Stage>
 std::uint64_t run_stage(const char* name, Stage& stage, const RunControl& run)
 {
-    using Block = typename Stage::Block;
     const Blocks lines = stage.lines();
     ShardRange range = ShardRange::of(lines.count(), run.shard);
     const Checkpoint::Part part(run.checkpoint, name, [&](Archive& archive) {
@@ -38,7 +37,7 @@ std::uint64_t run_stage(const char* name, Stage& stage, const RunControl& run)
     });
     if (range.all != lines.count())
         throw ArchiveError("the state is damaged: no such lines");
-    BlockBuffers<Block> blocks(run.threads);
+    BlockBuffers<typename Stage::Block> blocks(run.threads);
     shard_blocks(
         range, run, [&](std::uint64_t number, int slot) { stage.trace(number, blocks[slot]); },
         [&](std::uint64_t number, int slot) { run.count_lines(stage.take(number, blocks[slot])); });
