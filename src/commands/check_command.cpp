@@ -26,9 +26,7 @@ struct Emitter
 
 std::vector<Emitter> emitters(const Scene& scene)
 {
-    std::vector<Emitter> result;
-    for (const Material& material : scene.materials())
-        result.push_back({&material});
+    auto result = mapped(scene.materials(), [](const Material& material) { return Emitter{&material}; });
     for (std::size_t s = 0; s < scene.surfaces().size(); ++s)
         result[scene.file().material[s]].area += scene.surfaces()[s].area();
     const auto dark = [](const Emitter& e) { return e.material->emittance == Rgb{} || e.area == 0.0; };

@@ -103,12 +103,10 @@ std::vector<DiscrepancyRow> measure_discrepancy(const PointRange& range)
         counts.push_back(n);
     counts.push_back(range.count);
 
-    std::vector<DiscrepancyRow> rows;
-    for (const std::uint64_t n : counts) {
+    return mapped(counts, [&](std::uint64_t n) -> DiscrepancyRow {
         const PointSet points = points_of(*range.sequence, range.first, n);
-        rows.push_back({n, l2_star_discrepancy(points), random_l2_star_discrepancy(points.size(), points.dimensions)});
-    }
-    return rows;
+        return {n, l2_star_discrepancy(points), random_l2_star_discrepancy(points.size(), points.dimensions)};
+    });
 }
 
 /// The table as text with aligned columns.

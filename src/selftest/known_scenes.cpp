@@ -55,13 +55,6 @@ namespace {
 constexpr Vec3 x_axis = {1, 0, 0};
 constexpr Vec3 y_axis = {0, 1, 0};
 constexpr Vec3 z_axis = {0, 0, 1};
-constexpr Interval unit = {0.0, 1.0};
-
-/// Form factor of two unit squares that face each other at distance 1.
-double opposite_squares()
-{
-    return parallel_rectangles(unit, unit, unit, unit, 1.0);
-}
 
 /// The radiosity B of a patch in one channel. A watt left unshot would arrive, over all reflections, as at most
 /// 1 / (1 - highest_reflectance) watts, and the patch would reflect `reflectance` of it.
@@ -117,7 +110,8 @@ KnownScene facing_squares()
     constexpr double emittance = 2.0;
     constexpr double rho_1 = 0.4;
     constexpr double rho_2 = 0.7;
-    const double f = opposite_squares();
+    constexpr Interval unit = {0.0, 1.0};
+    const double f = parallel_rectangles(unit, unit, unit, unit, 1.0);
     const double b_1 = emittance / (1.0 - rho_1 * rho_2 * f * f);
     const double b_2 = rho_2 * f * b_1;
     SceneBuilder builder;

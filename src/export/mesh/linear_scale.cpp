@@ -1,5 +1,7 @@
 #include "export/mesh/linear_scale.h"
 
+#include "base/lists.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -36,9 +38,7 @@ LitAreas lit_areas(const Scene& scene, const std::vector<Rgb>& radiosity, bool w
 /// [W/m^2] The brightness that is reached or exceeded on a share of the area (a weighted quantile).
 double exceeded_on(double share, const LitAreas& areas)
 {
-    double total = 0.0;
-    for (const auto& [brightness, area] : areas)
-        total += area;
+    const double total = sum_over(areas, &LitAreas::value_type::second);
     double before = 0.0;
     for (const auto& [brightness, area] : areas) {
         before += area;
