@@ -46,12 +46,6 @@ void count_line(const Scene& scene, const std::vector<Hit>& hits, LineSurvey& su
     ++survey.lines;
 }
 
-void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& counts)
-{
-    for (std::size_t i = 0; i < sum.size(); ++i)
-        sum[i] += counts[i];
-}
-
 } // namespace
 
 LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
@@ -76,9 +70,9 @@ LineSurvey survey_lines(const Scene& scene, std::uint64_t lines, int threads)
     for (const LineSurvey& survey : slots) { // counts: their order does not matter
         total.lines += survey.lines;
         total.crossings += survey.crossings;
-        add(total.departures, survey.departures);
-        add(total.arrivals, survey.arrivals);
-        add(total.met_behind, survey.met_behind);
+        for (const auto counts : {&LineSurvey::departures, &LineSurvey::arrivals, &LineSurvey::met_behind})
+            for (std::size_t i = 0; i < scene.surfaces().size(); ++i)
+                (total.*counts)[i] += (survey.*counts)[i];
     }
     return total;
 }
