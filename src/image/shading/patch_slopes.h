@@ -2,9 +2,7 @@
 
 #include "image/shading/visible_patches.h"
 #include "scene/rgb.h"
-#include "scene/scene.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -7,7 +7,6 @@
 
 #include "parallel/stage.h"
 #include "sampling/allotment.h"
-#include "sampling/random.h"
 #include "transport/lines/line_segments.h"
 
 #include <algorithm>

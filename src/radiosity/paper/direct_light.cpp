@@ -10,7 +10,6 @@
 #include "sampling/discrete_distribution.h"
 #include "sampling/halton.h"
 #include "sampling/random.h"
-#include "transport/lines/line_segments.h"
 #include "transport/lines/local_rays.h"
 #include "transport/lines/shadow_rays.h"
 

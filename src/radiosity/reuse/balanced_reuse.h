@@ -6,7 +6,6 @@
 #include "radiosity/reuse/gathered_light.h"
 #include "sampling/sequence.h"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace multipath {

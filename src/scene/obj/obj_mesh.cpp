@@ -8,7 +8,6 @@
 #include "scene/obj/obj_mesh.h"
 
 #include "base/lists.h"
-#include "base/text_format.h"
 #include "scene/text/text_lines.h"
 #include "scene/text/text_words.h"
 

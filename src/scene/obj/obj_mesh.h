@@ -5,7 +5,6 @@
 #include "scene/rgb.h"
 #include "scene/texture/texture.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

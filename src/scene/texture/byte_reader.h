@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/errors.h"
-#include "scene/texture/image_formats.h"
 
 #include <cstddef>
 #include <cstdint>
