@@ -3,6 +3,7 @@
 // a cache folder, so that an interrupted study resumes. A checksum of options and scene is part of the name of a file
 // in the cache. The file itself records the sources of the program, and a program from other sources does not use it.
 
+#include "base/checksum.h"
 #include "base/errors.h"
 #include "base/file_bytes.h"
 #include "base/text_format.h"
@@ -19,7 +20,6 @@
 #include "commands/solve/accuracy.h"
 #include "commands/solve/saved_run.h"
 #include "export/patch_table.h"
-#include "image/checksum.h"
 #include "radiosity/paper/line_budget.h"
 #include "radiosity/run/statistics.h"
 #include "study/convergence.h"

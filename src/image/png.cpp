@@ -5,8 +5,8 @@
 
 #include "image/png.h"
 
+#include "base/checksum.h"
 #include "base/text_format.h"
-#include "image/checksum.h"
 
 #include <algorithm>
 #include <string_view>

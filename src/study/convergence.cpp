@@ -1,9 +1,9 @@
 #include "study/convergence.h"
 
+#include "base/checksum.h"
 #include "base/lists.h"
 #include "base/platform/machine.h"
 #include "base/text_format.h"
-#include "image/checksum.h"
 #include "parallel/blocks.h"
 #include "radiosity/run/replicates.h"
 #include "radiosity/run/statistics.h"

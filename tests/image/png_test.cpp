@@ -1,6 +1,6 @@
 #include "image/png.h"
 
-#include "image/checksum.h"
+#include "base/checksum.h"
 #include "sampling/random.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 // Decompression of a deflate stream (RFC 1951) in the zlib format (RFC 1950). A stream is a list of blocks, each stored
 // or coded with two prefix codes: one for literal bytes and the lengths of matches, one for the distances of matches.
 
+#include "base/checksum.h"
 #include "base/errors.h"
 #include "scene/texture/byte_reader.h"
 #include "scene/texture/prefix_code.h"
@@ -75,7 +76,7 @@ public:
         std::uint32_t sum = 0;
         for (int byte = 0; byte < 4; ++byte)
             sum = sum << 8 | number(8);
-        if (sum != adler_32())
+        if (sum != adler32({reinterpret_cast<const char*>(contents_.data()), contents_.size()}))
             throw_damaged_deflate();
         return std::move(contents_);
     }
@@ -213,22 +214,6 @@ private:
     {
         if (count > contents_.size() - filled_)
             throw_damaged_deflate();
-    }
-
-    std::uint32_t adler_32() const
-    {
-        constexpr std::size_t sums_fit = std::size_t{1} << 20; // bytes before the second sum could exceed 64 bits
-        std::uint64_t a = 1;
-        std::uint64_t b = 0;
-        for (std::size_t i = 0; i < contents_.size(); ++i) {
-            a += contents_[i];
-            b += a;
-            if (i % sums_fit == 0) {
-                a %= 65521;
-                b %= 65521;
-            }
-        }
-        return static_cast<std::uint32_t>(b % 65521 << 16 | a % 65521);
     }
 
     BitReader bits_;

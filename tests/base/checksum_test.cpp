@@ -1,6 +1,8 @@
-#include "image/checksum.h"
+#include "base/checksum.h"
 
 #include <doctest/doctest.h>
+
+#include <string>
 
 namespace checksum_test {
 

@@ -1,4 +1,4 @@
-#include "image/checksum.h"
+#include "base/checksum.h"
 
 #include <array>
 
@@ -23,7 +23,7 @@ constexpr std::array<std::uint32_t, 256> crc_table = make_crc_table();
 
 } // namespace
 
-std::uint32_t crc32(const std::string& bytes)
+std::uint32_t crc32(std::string_view bytes)
 {
     std::uint32_t crc = 0xffffffffu;
     for (const char c : bytes)
@@ -31,16 +31,21 @@ std::uint32_t crc32(const std::string& bytes)
     return crc ^ 0xffffffffu;
 }
 
-std::uint32_t adler32(const std::string& bytes)
+std::uint32_t adler32(std::string_view bytes)
 {
-    constexpr std::uint32_t modulus = 65521;
-    std::uint32_t sum = 1;
-    std::uint32_t sum_of_sums = 0;
-    for (const char c : bytes) {
-        sum = (sum + static_cast<unsigned char>(c)) % modulus;
-        sum_of_sums = (sum_of_sums + sum) % modulus;
+    constexpr std::uint64_t modulus = 65521;
+    constexpr std::size_t sums_fit = std::size_t{1} << 20; // bytes before the second sum could exceed 64 bits
+    std::uint64_t sum = 1;
+    std::uint64_t sum_of_sums = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        sum += static_cast<unsigned char>(bytes[i]);
+        sum_of_sums += sum;
+        if (i % sums_fit == 0) {
+            sum %= modulus;
+            sum_of_sums %= modulus;
+        }
     }
-    return sum_of_sums << 16 | sum;
+    return static_cast<std::uint32_t>(sum_of_sums % modulus << 16 | sum % modulus);
 }
 
 } // namespace multipath
