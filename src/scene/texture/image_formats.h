@@ -54,7 +54,7 @@ Bitmap read_jpeg(std::string_view bytes);
 Bitmap read_tga(std::string_view bytes);
 /// Windows bitmap, uncompressed: a palette, or 24 or 32 bits of colour.
 Bitmap read_bmp(std::string_view bytes);
-/// Netpbm: the first image of a file of the types P1 to P6.
+/// Netpbm: the first image of a file of the types P2, P3, P5 and P6.
 Bitmap read_pnm(std::string_view bytes);
 
 /// Decodes an image in any of these formats. The format is detected from the first bytes; TGA, which has no signature,

@@ -11,7 +11,7 @@ namespace {
 bool begins_like_pnm(std::string_view bytes)
 {
     using namespace std::string_view_literals;
-    return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+    return bytes.size() >= 3 && bytes[0] == 'P' && "2356"sv.find(bytes[1]) != std::string_view::npos &&
            " \t\n\v\f\r"sv.find(bytes[2]) != std::string_view::npos;
 }
 
