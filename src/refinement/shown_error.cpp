@@ -153,22 +153,15 @@ class PointRadiosity
 {
 public:
     PointRadiosity(const Scene& scene, const std::vector<Rgb>& radiosity, int rays, int threads)
-        : scene_(scene), sources_(scene), indirect_(scene, radiosity, rays, threads, &sources_), rays_(rays)
+        : scene_(scene), sources_(scene), indirect_(scene, radiosity, rays, threads, &sources_)
     {
     }
 
-    /// [W/m^2] Radiosity. Estimates with another number or stream are independent. Each uses its own sequences, since
-    /// the items of one sequence are not independent.
+    /// [W/m^2] Radiosity. Estimates with another number or stream are independent.
     Rgb at(const Hit& hit, std::uint64_t number, RandomStream stream) const
     {
         const GatherPoint receiver = gather_point(scene_, hit);
-        const std::uint64_t bits = random_bits(random_key(stream), number);
-        const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
-        const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
-        RayFan fan;
-        const auto count = static_cast<std::size_t>(rays_);
-        Rgb irradiance = sources_.irradiance(receiver, {*to_sources, 0, count}, bits_to_unit(bits), fan);
-        irradiance += indirect_.at(receiver, *around, 0, fan).irradiance;
+        const Rgb irradiance = indirect_.irradiance(receiver, sources_, random_bits(random_key(stream), number));
         return (hit.front ? scene_.surface_material(hit.surface).emittance : Rgb{}) +
                scene_.reflectance_at(hit.surface, hit.u, hit.v) * irradiance;
     }
@@ -177,7 +170,6 @@ private:
     const Scene& scene_;
     SourceLight sources_;
     IndirectLight indirect_;
-    int rays_;
 };
 
 } // namespace

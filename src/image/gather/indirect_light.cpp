@@ -124,6 +124,15 @@ IndirectSample IndirectLight::at(const GatherPoint& receiver, const Sequence& se
     return {receiver, 1.0 / count * sum, count / nearness};
 }
 
+Rgb IndirectLight::irradiance(const GatherPoint& receiver, const SourceLight& sources, std::uint64_t bits) const
+{
+    const std::unique_ptr<Sequence> to_sources = make_sequence("sobol-owen", bits);
+    const std::unique_ptr<Sequence> around = make_sequence("sobol-owen", ~bits);
+    RayFan fan;
+    const Rgb direct = sources.irradiance(receiver, {*to_sources, 0, rays_}, bits_to_unit(bits), fan);
+    return direct + at(receiver, *around, 0, fan).irradiance;
+}
+
 namespace {
 
 // At least 49 pixels are averaged, which hides the noise of a few dozen rays per sample.

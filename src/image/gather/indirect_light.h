@@ -44,6 +44,10 @@ public:
     /// stratified together. `fan`: reusable buffers of one thread.
     IndirectSample at(const GatherPoint& receiver, const Sequence& sequence, std::uint64_t number, RayFan& fan) const;
 
+    /// [W/m^2] Irradiance of a point by the sources, too, with as many rays to them. `bits`: random, of this point. Its
+    /// sequences are its own, since the items of one sequence are not independent.
+    Rgb irradiance(const GatherPoint& receiver, const SourceLight& sources, std::uint64_t bits) const;
+
 private:
     bool is_near(const Hit& hit) const;
     Rgb reflected_at(Hit hit, const Sequence& sequence, const Item& item, std::uint64_t bits, RayFan& fan) const;

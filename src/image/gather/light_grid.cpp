@@ -97,20 +97,10 @@ LightGrid light_grid(const Scene& scene, const std::vector<Rgb>& radiosity, cons
         throw SettingsError("no point lies above a surface at the height of the grid; expected one within the scene");
     const SourceLight sources(scene);
     const IndirectLight indirect(scene, radiosity, rays, threads);
-    parallel_ranges(static_cast<std::uint32_t>(grid.points.size()), 16, threads,
-                    [&](std::uint32_t first, std::uint32_t end) {
-                        RayFan fan;
-                        for (std::uint32_t k = first; k < end; ++k) {
-                            const GatherPoint receiver = {GatherPoint::free, places[k], axes.up};
-                            const std::uint64_t bits = random_bits(random_key(RandomStream::light_grid), k);
-                            const auto to_sources = make_sequence("sobol-owen", bits);
-                            const auto around = make_sequence("sobol-owen", ~bits);
-                            Rgb& light = grid.points[k].irradiance;
-                            light = sources.irradiance(receiver, {*to_sources, 0, static_cast<std::size_t>(rays)},
-                                                       bits_to_unit(bits), fan);
-                            light += indirect.at(receiver, *around, 0, fan).irradiance;
-                        }
-                    });
+    parallel_blocks(grid.points.size(), threads, [&](std::uint64_t k) {
+        const std::uint64_t bits = random_bits(random_key(RandomStream::light_grid), k);
+        grid.points[k].irradiance = indirect.irradiance({GatherPoint::free, places[k], axes.up}, sources, bits);
+    });
     grid.least = std::numeric_limits<double>::infinity();
     for (const GridPointLight& point : grid.points) {
         const double light = mean(point.irradiance);
