@@ -85,35 +85,27 @@ class Slopes
 {
 public:
     Slopes(const VisiblePatches& patches, int threads)
-        : patches_(patches), scene_(patches.scene()), threads_(threads), around_(scene_.patch_count())
+        : patches_(patches),
+          scene_(patches.scene()),
+          threads_(threads),
+          around_(parallel_list(scene_.patch_count(), threads_, [&](std::uint32_t i) { return neighbours(i); }))
     {
-        for_all([&](std::uint32_t i) { around_[i] = neighbours(i); });
     }
 
     std::vector<PatchSlope> slopes() const
     {
-        std::vector<PatchSlope> fits(around_.size());
-        for_all([&](std::uint32_t i) { fits[i] = fitted(i); });
-        std::vector<PatchSlope> result(fits.size());
-        for_all([&](std::uint32_t i) { result[i] = around_[i].at_border ? continued(i, fits) : fits[i]; });
-        return result;
+        const std::vector<PatchSlope> fits =
+            parallel_list(scene_.patch_count(), threads_, [&](std::uint32_t i) { return fitted(i); });
+        return parallel_list(scene_.patch_count(), threads_,
+                             [&](std::uint32_t i) { return around_[i].at_border ? continued(i, fits) : fits[i]; });
     }
 
     std::vector<double> bends(const std::vector<PatchSlope>& slopes) const
     {
-        std::vector<double> result(slopes.size());
-        for_all([&](std::uint32_t i) { result[i] = bend(i, slopes); });
-        return result;
+        return parallel_list(scene_.patch_count(), threads_, [&](std::uint32_t i) { return bend(i, slopes); });
     }
 
 private:
-    /// Calls make(patch) for all patches, in parallel.
-    template <class Make>
-    void for_all(const Make& make) const
-    {
-        parallel_numbers(scene_.patch_count(), threads_, make);
-    }
-
     Neighbours neighbours(std::uint32_t patch) const
     {
         Neighbours result;
