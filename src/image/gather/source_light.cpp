@@ -9,6 +9,7 @@
 
 #include "image/gather/source_light.h"
 
+#include "base/lists.h"
 #include "geometry/intersector/intersector.h"
 #include "sampling/warp.h"
 
@@ -207,9 +208,8 @@ SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, 
 {
     SourceViews result;
     const bool all = static_cast<double>(sources_.size()) <= most_views;
-    double sum = 0.0;
-    for (const Source& source : sources_)
-        sum += all ? 0.0 : importance(source, receiver);
+    const auto importance_of = [&](const Source& source) { return importance(source, receiver); };
+    const double sum = all ? 0.0 : sum_over(sources_, importance_of);
     if (!all && !(sum > 0.0))
         return result;
     double choices_before = offset;
@@ -217,7 +217,7 @@ SourceLight::SourceViews SourceLight::source_views(const GatherPoint& receiver, 
         const Source& source = sources_[k];
         double weight = 1.0;
         if (!all) {
-            const double choices = importance(source, receiver) * (most_views / sum);
+            const double choices = importance_of(source) * (most_views / sum);
             const double chosen = std::floor(choices_before + choices) - std::floor(choices_before);
             choices_before += choices;
             weight = chosen > 0.0 ? chosen / choices : 0.0;
@@ -246,9 +246,7 @@ Rgb SourceLight::irradiance(const GatherPoint& receiver, const Items& items, dou
         return unobstructed + sunlight;
     fan.items.resize(items.count);
     items.sequence.generate(items.first, fan.items);
-    Rgb unhidden;
-    for (const View& view : views)
-        unhidden += view.irradiance;
+    const Rgb unhidden = sum_over(views, &View::irradiance);
     const double per_ray = mean(unhidden) / static_cast<double>(fan.items.size());
     struct Sent
     {

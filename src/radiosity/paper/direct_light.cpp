@@ -113,9 +113,8 @@ std::vector<Target> targets(const Scene& scene, std::uint32_t most)
 double find_lit(const Scene& scene, const std::vector<Probe>& probes, Target* first, Target* end)
 {
     constexpr std::size_t rays_together = 1024;
-    std::vector<Target*> unlit;
-    for (Target* target = first; target != end; ++target)
-        unlit.push_back(target);
+    std::vector<Target*> unlit(static_cast<std::size_t>(end - first));
+    std::iota(unlit.begin(), unlit.end(), first);
     ShadowRays<Target*> rays;
     for (std::size_t done = 0; done < probes.size() && !unlit.empty();) {
         const std::size_t next = std::min(probes.size(), done + std::max<std::size_t>(1, rays_together / unlit.size()));

@@ -1,6 +1,7 @@
 #include "radiosity/reuse/light_tree.h"
 
 #include "base/elementary.h"
+#include "base/lists.h"
 #include "base/memory.h"
 #include "geometry/intersector/shared_planes.h"
 #include "geometry/polygon.h"
@@ -67,9 +68,7 @@ SurfaceTree::SurfaceTree(std::uint32_t count, const std::function<Surface(std::u
         nodes_.push_back({node.begin, cut, k, 0});
         nodes_.push_back({cut, node.end, k, 0});
     }
-    order_ = vector_with_capacity<std::uint32_t>(placed.size());
-    for (const PlacedSurface& one : placed)
-        order_.push_back(one.surface);
+    order_ = mapped(placed, &PlacedSurface::surface);
 }
 
 std::vector<RaySums> pooled(const SurfaceTree& tree, const std::vector<RaySums>& own, double enough, OwnRays own_rays,
@@ -299,10 +298,8 @@ LightCuts::LightCuts(const Scene& scene, const LightTree& tree, double angle, in
 
 double LightCuts::bytes() const
 {
-    double clusters = 0.0;
-    for (const Cut& cut : cuts_)
-        clusters += static_cast<double>(cut.clusters.capacity());
-    return clusters * sizeof(SeenCluster);
+    return sizeof(SeenCluster) *
+           sum_over(cuts_, [](const Cut& cut) { return static_cast<double>(cut.clusters.capacity()); });
 }
 
 } // namespace multipath

@@ -5,6 +5,7 @@
 
 #include "radiosity/reuse/line_reuse.h"
 
+#include "base/lists.h"
 #include "radiosity/reuse/exchange_solver.h"
 #include "transport/exchange/dense_exchange.h"
 #include "transport/exchange/exchange_estimate.h"
@@ -74,9 +75,7 @@ ExchangeLosses losses(const Scene& scene, const PairCounts& counts, const std::v
     const PatchBlocks blocks = patch_blocks(scene, cells_around);
     const std::vector<LeavingLines> of_sides = sums_over(sides, lines);
     const std::vector<LeavingLines> of_blocks = sums_over(blocks, lines);
-    LeavingLines all;
-    for (const LeavingLines& patch : lines)
-        all += patch;
+    const LeavingLines all = sum_over(lines, [](const LeavingLines& patch) { return patch; });
     const auto lost_without = [](const LeavingLines& whole, const LeavingLines& part, double prior) {
         return (whole.lost - part.lost + prior) / (whole.all - part.all + 1.0);
     };

@@ -5,6 +5,7 @@
 #include "radiosity/run/methods.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "geometry/intersector/intersector.h"
 #include "radiosity/family/gathering_walk.h"
 #include "radiosity/family/stochastic_jacobi.h"
@@ -17,6 +18,7 @@
 #include "radiosity/reuse/line_reuse.h"
 #include "radiosity/run/memory_estimate.h"
 #include "radiosity/run/run.h"
+#include "scene/text/text_words.h"
 #include "transport/exchange/unoccluded_exchange.h"
 #include "transport/lines/depth_complexity.h"
 
@@ -228,11 +230,8 @@ constexpr MethodInfo method_table[] = {
 std::vector<std::string_view> words_of(std::string_view text)
 {
     std::vector<std::string_view> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        words.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for (std::string_view word = next_word(text); !word.empty(); word = next_word(text))
+        words.push_back(word);
     return words;
 }
 
@@ -249,10 +248,7 @@ const Method Method::gathering(&method_table[7]);
 
 std::vector<Method> all_methods()
 {
-    std::vector<Method> methods;
-    for (const MethodInfo& info : method_table)
-        methods.push_back(Method(&info));
-    return methods;
+    return mapped(method_table, [](const MethodInfo& info) { return Method(&info); });
 }
 
 Method method_named(std::string_view name)
@@ -266,12 +262,10 @@ Method method_named(std::string_view name)
 
 std::vector<MethodOption> options_of(Method method)
 {
-    std::vector<MethodOption> options;
-    for (const std::string_view word : words_of(method->options)) {
+    return mapped(words_of(method->options), [](std::string_view word) {
         const std::size_t end = std::min(word.find(':'), word.size());
-        options.push_back({word.substr(0, end), word.substr(std::min(end + 1, word.size()))});
-    }
-    return options;
+        return MethodOption{word.substr(0, end), word.substr(std::min(end + 1, word.size()))};
+    });
 }
 
 bool has_option(Method method, std::string_view name)

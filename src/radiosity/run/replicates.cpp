@@ -1,6 +1,7 @@
 #include "radiosity/run/replicates.h"
 
 #include "base/errors.h"
+#include "base/lists.h"
 #include "radiosity/reuse/denoising.h"
 #include "radiosity/run/solution.h"
 #include "radiosity/run/statistics.h"
@@ -29,12 +30,9 @@ SolveOptions replicate_options(SolveOptions options, int replicates, std::uint64
 void add_errors(const Scene& scene, const std::vector<MeanOf<Rgb>>& means, bool denoised, int threads,
                 Solution& solution)
 {
-    for (const MeanOf<Rgb>& patch : means)
-        solution.standard_error.push_back(patch.standard_error());
+    solution.standard_error = mapped(means, &MeanOf<Rgb>::standard_error);
     if (denoised) {
-        std::vector<Rgb> variance = vector_with_capacity<Rgb>(scene.patch_count());
-        for (const Rgb& error : solution.standard_error)
-            variance.push_back(error * error);
+        std::vector<Rgb> variance = mapped(solution.standard_error, [](Rgb error) { return error * error; });
         denoise(scene, threads, solution.radiosity, variance);
         for (std::uint32_t i = 0; i < scene.patch_count(); ++i)
             solution.standard_error[i] = square_root(variance[i]);

@@ -38,11 +38,9 @@ void append(Names& list, const Names& more)
 }
 
 /// "`a`, `b` and 7 more"
-std::string some_names(Names names)
+std::string some_names(const Names& names)
 {
-    for (std::string& name : names)
-        name = in_quotes(name);
-    return first_of(names, 5);
+    return first_of(mapped(names, in_quotes), 5);
 }
 
 /// Reads the MTL files that a mesh names, each once. Returns the names of missing ones.

@@ -164,12 +164,10 @@ void Flaws::add(std::string_view flaw, std::uint32_t line, std::string_view word
 
 std::vector<std::string> Flaws::warnings(const std::string& path) const
 {
-    std::vector<std::string> result;
-    for (const Flaw& flaw : flaws_)
-        result.push_back(
-            name_of({path, flaw.first_line}) + ": " + flaw.text +
-            (flaw.words.empty() ? " (" + std::to_string(flaw.count) + " in the file)" : ": " + join(flaw.words)));
-    return result;
+    return mapped(flaws_, [&](const Flaw& flaw) {
+        return name_of({path, flaw.first_line}) + ": " + flaw.text +
+               (flaw.words.empty() ? " (" + std::to_string(flaw.count) + " in the file)" : ": " + join(flaw.words));
+    });
 }
 
 } // namespace multipath

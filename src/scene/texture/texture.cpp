@@ -10,6 +10,7 @@
 
 #include "scene/texture/texture.h"
 
+#include "base/lists.h"
 #include "base/mix_bits.h"
 
 #include <algorithm>
@@ -345,10 +346,7 @@ Rgb texture_mean(const Texture& texture, const TextureFrame& frame, const std::v
 {
     if (!frame.known)
         return texture.mean();
-    TexturePolygon polygon;
-    for (const auto [u, v] : uv)
-        polygon.push_back(frame.at(u, v));
-    return texture.mean(std::move(polygon));
+    return texture.mean(mapped(uv, [&](const std::array<double, 2>& at) { return frame.at(at[0], at[1]); }));
 }
 
 Rgb Texture::at(TexturePoint point) const

@@ -21,13 +21,12 @@ public:
         if (is_packed_ ? pixels > most_per_byte * file_.left() : pixels * pixel_bytes_ > file_.left())
             throw ImageError("ends too early");
         Bitmap bitmap = blank_bitmap(width_, height_, has_alpha_);
-        for (std::uint32_t j = 0; j < height_; ++j) {
+        for (std::uint32_t j = 0; j < height_; ++j)
             for (std::uint32_t i = 0; i < width_; ++i) {
                 const std::uint8_t* const pixel = next_pixel();
                 const Bitmap::Colour colour = {pixel[is_grey_ ? 0 : 2], pixel[is_grey_ ? 0 : 1], pixel[0]};
                 bitmap.set(i, is_from_top_ ? j : height_ - 1 - j, colour, pixel[pixel_bytes_ - 1]);
             }
-        }
         drop_unused_alpha(bitmap);
         return bitmap;
     }
