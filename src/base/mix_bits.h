@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 namespace multipath {
 
@@ -12,6 +13,15 @@ inline std::uint64_t mix_bits(std::uint64_t x)
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
+}
+
+/// The bits of a number (IEEE 754), to be hashed; -0 counts as 0.
+inline std::uint64_t bits_of(double value)
+{
+    const double without_negative_zero = value + 0.0;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &without_negative_zero, sizeof bits);
+    return bits;
 }
 
 } // namespace multipath

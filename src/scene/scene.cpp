@@ -14,7 +14,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -35,13 +34,7 @@ public:
 
 private:
     void chain(std::uint64_t value) { state_ = mix_bits(state_ ^ value); }
-    void chain(double value)
-    {
-        const double without_sign_of_zero = value == 0.0 ? 0.0 : value;
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
-        chain(bits);
-    }
+    void chain(double value) { chain(bits_of(value)); }
     void chain(Vec3 v) { add(v.x, v.y, v.z); }
     void chain(Rgb c) { add(c.r, c.g, c.b); }
 

@@ -7,7 +7,6 @@
 #include "base/mix_bits.h"
 
 #include <cmath>
-#include <cstring>
 
 namespace multipath {
 
@@ -16,14 +15,6 @@ namespace {
 /// Limit of probing, so that a file made to cause collisions cannot slow the program down: after this many steps a
 /// vertex becomes its own representative.
 constexpr int most_steps = 64;
-
-std::uint64_t bits_of(double coordinate)
-{
-    const double without_negative_zero = coordinate + 0.0;
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &without_negative_zero, sizeof bits);
-    return bits;
-}
 
 std::uint64_t hash_of(Vec3 p)
 {

@@ -228,8 +228,7 @@ private:
         to_lights_.range = ShardRange::of(light_blocks(), shard);
         next_item_ += to_lights_.allotment.rays();
         hemisphere_.first_item = next_item_;
-        constexpr double below_one =
-            0x1.fffffffffffffp-1; // offsets that add up to 1 make the total number of rays as planned
+        // Offsets that add up to 1 make the total number of rays as planned.
         hemisphere_.allotment = Allotment(of_part, std::min(1.0 - offset, below_one));
         hemisphere_.range = ShardRange::of(ray_blocks(hemisphere_.allotment).count(), shard);
         next_item_ += hemisphere_.allotment.rays();

@@ -53,7 +53,6 @@ struct RaysToLights
     void add(std::uint32_t patch, std::uint64_t first, std::uint64_t rays, double offset, ShadowRaySums& patch_sums)
     {
         const Receiver receiver = {patch, scene.patch(patch).shape, patch_sums};
-        constexpr double below_one = 0x1.fffffffffffffp-1;
         const double step = cuts.irradiance(patch) / static_cast<double>(rays);
         const std::vector<SeenCluster>& seen = cuts.of(patch);
         auto cluster = seen.begin();

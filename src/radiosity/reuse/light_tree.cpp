@@ -185,7 +185,6 @@ LightTree::LightTree(const Scene& scene)
 
 std::uint32_t LightTree::choose(std::uint32_t node, double x) const
 {
-    constexpr double below_one = 0x1.fffffffffffffp-1;
     while (!is_leaf(node)) {
         const std::uint32_t child = first_child(node);
         const double share = clusters_[child].power / clusters_[node].power;

@@ -15,6 +15,8 @@
 
 namespace multipath {
 
+constexpr double below_one = 0x1.fffffffffffffp-1; ///< the largest number in [0, 1)
+
 /// A position and a direction, a normal times a length that tells how much directions count.
 constexpr std::size_t dimensions_of_place = 6;
 using Place = std::array<double, dimensions_of_place>;

@@ -24,10 +24,9 @@ struct NamedFaces
 /// Throws SettingsError if no face has a material, group or object of this name.
 NamedFaces faces_named(const std::string& name, const ObjMesh& mesh)
 {
-    NamedFaces found = {{}, std::vector<bool>(mesh.groups.size())};
     std::vector<std::string> names = mesh.material_names();
-    for (const std::string& material : names)
-        found.materials.push_back(material == name || name_in(material) == name);
+    const auto is_named = [&](const std::string& material) { return material == name || name_in(material) == name; };
+    NamedFaces found = {mapped(names, is_named), std::vector<bool>(mesh.groups.size())};
     const auto any_face = [&] {
         return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const ObjFace& face) { return found.has(face); });
     };
