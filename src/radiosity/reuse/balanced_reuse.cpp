@@ -98,10 +98,8 @@ double closed_losses(double emitted, double received, double of_received, double
 
 std::vector<std::uint32_t> patches_of_sky(const Scene& scene)
 {
-    std::vector<std::uint32_t> sky;
-    for (std::size_t s = scene.own_surfaces(); s < scene.surfaces().size(); ++s)
-        sky.push_back(scene.first_patch(static_cast<std::uint32_t>(s)));
-    return sky;
+    const auto patch_of = [&](std::uint32_t k) { return scene.first_patch(scene.own_surfaces() + k); };
+    return serial_list(scene.file().sky_surfaces, patch_of);
 }
 
 /// The rays of one kind in a round, and the part of them that this run casts.

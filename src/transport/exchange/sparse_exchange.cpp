@@ -1,6 +1,7 @@
 #include "transport/exchange/sparse_exchange.h"
 
 #include "base/disjoint_sets.h"
+#include "base/lists.h"
 #include "parallel/blocks.h"
 
 #include <cmath>
@@ -94,8 +95,7 @@ SparseExchange::SparseExchange(const LineCounts& counts, const std::vector<doubl
         open_[i] = lost_[i] * (rays > 0.0 ? static_cast<double>(counts_.escaped(i)) / rays : share_of_all);
         return open_[i];
     });
-    for (const std::uint32_t i : sky_)
-        sky_area_ += area[i];
+    sky_area_ = sum_over(sky_, [&](std::uint32_t s) { return area[s]; });
     for (const std::uint32_t s : sky_)
         own_[s] = area_[s] * (1.0 - open_area / sky_area_);
 }
@@ -234,10 +234,7 @@ void SparseExchange::balance(const std::vector<double>& wanted, int threads)
 /// [W/m^2] Mean of x over the sky.
 Rgb SparseExchange::light_of_sky(const std::vector<Rgb>& x) const
 {
-    Rgb sum;
-    for (const std::uint32_t s : sky_)
-        sum += area_[s] * x[s];
-    return quotient(1.0, sky_area_) * sum;
+    return quotient(1.0, sky_area_) * sum_over(sky_, [&](std::uint32_t s) { return area_[s] * x[s]; });
 }
 
 /// Adds light [W] that escapes to the patches of the sky.
