@@ -198,9 +198,10 @@ public:
         claim_table({"extended first shot: error over that of (4)", "at a quarter of (4); at 4 times",
                      "at 0; at 16 times", "both worse than (4)"},
                     claims);
-        text("Every threshold has the ratio of a pilot; ± is half the 95 % interval. A threshold of 0 is progressive "
+        text("Every threshold above 0 has the ratio of a pilot; ± is half the 95 % interval. A threshold of 0 is "
+             "progressive "
              "ray refinement (Feda and Purgathofer 1993, Shirley 1991): all lines are local. A large one leaves the "
-             "light where the sources threw it. That (4) is better than both holds in " +
+             "light where the sources threw it. That (4) is better than these two extremes holds in " +
              count_that_hold(claims) + " cases.");
     }
 
