@@ -46,7 +46,8 @@ std::string hdr_bytes(const Image& image, const std::string& comment)
         std::frexp(std::max({pixel.r, pixel.g, pixel.b}), &exponent);
         const bool is_black = !(std::max({pixel.r, pixel.g, pixel.b}) > 0.0) || exponent < -127;
         for (const double channel : {pixel.r, pixel.g, pixel.b})
-            bytes += static_cast<char>(is_black ? 0 : std::clamp(std::ldexp(channel, 8 - exponent), 0.0, 255.0));
+            bytes += static_cast<char>(
+                static_cast<int>(is_black ? 0.0 : std::clamp(std::ldexp(channel, 8 - exponent), 0.0, 255.0)));
         bytes += static_cast<char>(is_black ? 0 : std::min(exponent + 128, 255));
     }
     return bytes;

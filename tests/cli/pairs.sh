@@ -318,14 +318,14 @@ check "and from shards" in_shards
 
 # Sun and camera where z points up: the same picture. Pixels are rounded otherwise at edges.
 upwards() {
-    light="-q --ignore ceiling --patch-size 0.7 --lines 2^15 --size 40x30 --samples 4 --fov 65"
+    light="-q --ignore ceiling --patch-size 0.7 --lines 2^18 --size 40x30 --samples 4 --fov 65"
     ends 0 solve room.obj $light --sun 130,50,20 --eye 1.5,3,1 --target 3,1,-0.2 -o y.pfm -o y.csv &&
         ends 0 solve z_up.obj $light --sun 130,50,20 --up 0,0,1 --eye 1.5,-1,3 --target 3,0.2,1 -o z.pfm -o z.csv && means y.csv z.csv 0.01 || return
     for axis in y z; do # sums over 4 x 3 parts
         tail -c 14400 $axis.pfm | od -An -v -tf4 -w12 | awk '{ part = int((NR - 1) % 40 / 10) + 4 * int((NR - 1) / 400); sum[part] += $1 + 2 * $2 + 4 * $3 }
             END { for (k = 0; k < 12; ++k) print sum[k] }' >$axis.parts
     done
-    paste y.parts z.parts | awk '{ d = $1 / $2 - 1; if (d * d > 0.0009) { print; bad = 1 } sum += $1 } END { exit bad || NR != 12 || sum == 0 }'
+    paste y.parts z.parts | awk '{ d = $1 / $2 - 1; if (d * d > 0.0001) { print; bad = 1 } sum += $1 } END { exit bad || NR != 12 || sum == 0 }'
 }
 check "--up turns camera and sun with the scene" upwards
 
