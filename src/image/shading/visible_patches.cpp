@@ -117,8 +117,9 @@ VisiblePatches::VisiblePatches(const Scene& scene, const std::vector<Rgb>& value
                 ++count;
                 area += scene.area(i);
             }
-        return count <= most_points / (most_along * most_along) ? std::numeric_limits<double>::infinity()
-                                                                : static_cast<double>(most_points) / area;
+        return count <= most_points / (std::uint64_t{most_along} * most_along)
+                   ? std::numeric_limits<double>::infinity()
+                   : static_cast<double>(most_points) / area;
     };
     const std::array<double, 2> density = {density_among(0), density_among(1)};
     constexpr std::uint32_t patches_at_a_time = 64;

@@ -80,7 +80,8 @@ Mask coarser(const Mask& fine, unsigned level)
         for (std::int64_t x = 0; x < fine.width; ++x)
             balance[static_cast<std::size_t>(y * height / fine.height * width + x * width / fine.width)] +=
                 fine.at(x, y) ? 1 : -1;
-    return {width, height, fine.repeats, mapped(balance, [](std::int64_t sum) { return char{sum >= 0}; })};
+    return {width, height, fine.repeats,
+            mapped(balance, [](std::int64_t sum) { return sum >= 0 ? char{1} : char{0}; })};
 }
 
 /// The part of the polygon where sign * coordinate <= sign * border.
