@@ -267,7 +267,7 @@ void Intersector::Core::put(const RayQuery& query, std::size_t ray, const Neares
 {
     query.found.hits_[ray] = nearest.best;
     query.found.is_hit_[ray] = nearest.is_hit();
-    const bool may_be_gap = (has_shell_ && outside_is_solid_) || !have_same_outline(nearest.best, nearest.back);
+    const bool may_be_gap = (has_shell() && outside_is_solid_) || !have_same_outline(nearest.best, nearest.back);
     if (nearest.has_back && query.from[ray] != no_surface && may_be_gap)
         ties.push_back({ray, nearest});
 }

@@ -40,7 +40,6 @@ Intersector::Core::Core(const SurfaceList& surfaces, const FilterKernel& kernel,
     : kernel_(&kernel),
       frame_(box_around(surfaces)),
       first_enclosing_(surfaces.size() - enclosing),
-      has_shell_(enclosing > 0),
       outside_is_solid_(is_interior({surfaces.begin(), surfaces.end() - static_cast<std::ptrdiff_t>(enclosing)}))
 {
     const LargeVector<Bounds> boxes = boxes_around_each(surfaces);

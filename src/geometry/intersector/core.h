@@ -159,6 +159,7 @@ struct Intersector::Core
     }
     void put_in_order(Hit* hits, std::size_t count) const;
     void order_coincident(Hit* hits, std::size_t count) const;
+    bool has_shell() const { return first_enclosing_ < plane_.size(); }
 
     template <class Visit>
     void for_each_around(std::uint32_t of, Vec3 point, const Visit& visit) const;
@@ -179,7 +180,6 @@ struct Intersector::Core
     FlatSurfaces flat_{};                     ///< view of the four members before
     std::vector<std::uint32_t> unfiltered_;   ///< surfaces that cannot be filtered: candidates of every line
     std::size_t first_enclosing_;             ///< the surfaces from here on are a shell around the others
-    bool has_shell_;                          ///< true if there are such surfaces
     bool outside_is_solid_;                   ///< true if is_interior() of the others
     std::vector<std::uint32_t> plane_;        ///< plane number of each surface (see SharedPlanes)
     std::vector<double> area_;                ///< of each surface; the smallest of several in one place lies on top

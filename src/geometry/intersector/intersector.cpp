@@ -78,7 +78,7 @@ void Intersector::Core::order_coincident(Hit* hits, std::size_t count) const
     std::size_t inside = count - static_cast<std::size_t>(first - hits);
     while (inside > 0 && !is_inside(first[inside - 1]))
         --inside;
-    order_coincident_hits(first, inside, outside_is_solid_, has_shell_);
+    order_coincident_hits(first, inside, outside_is_solid_, has_shell());
 }
 
 /// Updates `nearest` if the line meets the surface, unless it lies in the excluded plane.
